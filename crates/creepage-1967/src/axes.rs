@@ -1,4 +1,4 @@
-//! The names of the axes.
+//! Axis labels of all figures: names and symbols of the thesis's quantities.
 
 use creepage_plot::Label;
 

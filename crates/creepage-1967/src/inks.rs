@@ -1,11 +1,11 @@
-//! Colours that mean the same in every picture.
+//! Colour constants shared by all figures.
 
 use creepage_plot::{Fill, Mark, Pen, Shape};
 
 const DARK: &str = "#10243a";
 const RED: &str = "#c62828";
 
-/// The full theory: what 1967 is held against.
+/// The full theory, the reference for the results of 1967.
 pub(crate) const FULL: Pen = Pen { colour: RED, dashes: "11 4", width: 2.3 };
 /// Its error bars.
 pub(crate) const BAND: Fill = Fill::plain("#f3c9c9");

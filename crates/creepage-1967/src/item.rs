@@ -1,4 +1,4 @@
-//! A table or figure of the thesis, and what it becomes.
+//! Item of the registry, a table or figure of the thesis, and its reproduction.
 
 use creepage_plot::{Label, Mark, Shape, Sheet};
 

@@ -1,4 +1,4 @@
-//! What every table and figure is made with.
+//! Common imports of every table and figure.
 
 pub(crate) use creepage_plot::{
     Anchor, Axis, Fill, Label, Mark, Panel, Pen, Sample, Shape, Sheet, closed,

@@ -1,11 +1,11 @@
-//! Many items on all cores.
+//! Parallel reproduction of many items.
 
 use rayon::prelude::*;
 
 use crate::error::GalleryError;
 use crate::item::{Item, Reproduction};
 
-/// An item and what it became.
+/// Item with its reproduction.
 #[derive(Debug, Clone)]
 pub struct Made {
     /// The table or figure.

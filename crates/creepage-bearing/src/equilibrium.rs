@@ -1,5 +1,6 @@
-//! Where rings and balls stand: each ball between its grooves under load, centrifugal force and what friction does
-//! across, and the displacement of the inner ring that carries the bearing's load (Jones 1960, Harris).
+//! Equilibrium of rings and balls by Newton's method: each ball between its grooves under load, centrifugal force and
+//! what friction does across, and the displacement of the inner ring that carries the bearing's load (Jones 1960,
+//! Harris).
 
 use creepage::numerics::{self, NewtonLimits};
 use nalgebra::{SMatrix, SVector};
@@ -29,7 +30,7 @@ pub(crate) fn newton<const N: usize, E>(
     Ok((found.at, left))
 }
 
-/// What acts on a ball beside the loads of its races.
+/// Load on a ball beside those of its races.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Acting {
     /// Centrifugal force (N).
@@ -38,7 +39,7 @@ pub(crate) struct Acting {
     pub(crate) across: [f64; 2],
 }
 
-/// A ball in its place.
+/// Equilibrium of one ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Standing {
     /// Contact angles (rad).

@@ -12,7 +12,7 @@ use creepage::{
 use crate::bearing::RACES;
 use crate::error::BearingError;
 
-/// By what the friction of a contact is found.
+/// Theory of friction of a ball-race contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BearingTheory {
     /// The full theory.
@@ -23,7 +23,7 @@ pub enum BearingTheory {
     Sliding,
 }
 
-/// How the surfaces of ball and ring move against each other, over the rolling speed.
+/// Relative motion of ball and ring in their contact, over the rolling speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RaceSlip {
     /// Creepage along and across, of the ball against the ring, at the middle; and spin (rad/m).
@@ -32,7 +32,7 @@ pub struct RaceSlip {
     pub heathcote: f64,
 }
 
-/// What friction does in one contact.
+/// Force, moment and heat of friction in one contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RaceFriction {
     /// Force (N) and moment about the normal (N m) of the ball on the ring.
@@ -50,7 +50,7 @@ pub struct RaceFriction {
     pub status: Status,
 }
 
-/// What happens in the elements of one contact.
+/// Element field of one contact.
 #[derive(Debug, Clone)]
 pub struct RaceField {
     /// Pressure and area.
@@ -61,7 +61,7 @@ pub struct RaceField {
     pub scaling: Scaling,
 }
 
-/// A contact of ball and ring whose friction is asked again and again.
+/// Contact of ball and ring, prepared for repeated evaluation of its friction.
 #[derive(Debug)]
 pub(crate) struct RaceContact {
     hertz: Hertz,

@@ -1,4 +1,4 @@
-//! A bearing solved: displacement, every ball, friction and heat.
+//! Solved bearing: displacement, every ball, friction and heat.
 
 use creepage::{Hertz, Status};
 use rayon::prelude::*;
@@ -13,7 +13,7 @@ use crate::motion::{Ball, BallMotion};
 const MAX_ROUNDS: usize = 40;
 const SETTLED: [f64; 2] = [1e-7, 1e-5];
 
-/// A bearing that runs.
+/// Solved bearing.
 #[derive(Debug, Clone)]
 pub struct SolvedBearing {
     /// Displacement of the inner ring along the axis and towards azimuth zero (m).
@@ -270,7 +270,7 @@ impl Operation {
     }
 }
 
-/// What is known of loads and friction from one round to the next.
+/// State of the outer iteration on loads and friction, from round to round.
 struct IterationState {
     displacement: Option<Displacement>,
     acting: Vec<Acting>,

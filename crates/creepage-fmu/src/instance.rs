@@ -1,4 +1,4 @@
-//! An instance: a map, its inputs, and the outputs that follow from them.
+//! Instance of the FMU: a map, its inputs, and the outputs that follow from them.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use crate::variables::{INPUTS, OUTPUTS, SWITCHES};
 /// Bytes of a saved state.
 pub(crate) const STATE_BYTES: usize = 8 * (INPUTS + 1) + SWITCHES.len();
 
-/// Why an instance cannot be made.
+/// Error of making an instance.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum InstanceError {
     #[error("cannot read {path}: {source}")]
@@ -20,7 +20,7 @@ pub(crate) enum InstanceError {
     Map(#[from] MapError),
 }
 
-/// What is set from outside: all that an instance remembers.
+/// Inputs from outside: all that an instance remembers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Inputs {
     pub(crate) reals: [f64; INPUTS],

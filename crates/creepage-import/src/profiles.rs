@@ -1,4 +1,4 @@
-//! Files of profiles that an input file names.
+//! Profile files that an input file names.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};

@@ -1,11 +1,11 @@
-//! What a contact map is asked with, and what it answers.
+//! State of a wheelset, with which a contact map is asked, and the map's answer.
 
 use crate::Side;
 use crate::patch::Report;
 use crate::wheel::{CellError, PLACES, WheelActs};
 
-/// Where a wheelset stands and how it moves: what a map is asked with. Axes of the track: `x` forward,
-/// `y` to the right, `z` down.
+/// Position and motion of a wheelset, with which a map is asked. Axes of the track: `x` forward, `y` to the
+/// right, `z` down.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
     /// Its centre to the right of the track centre (m).
@@ -59,7 +59,7 @@ impl State {
     }
 }
 
-/// What holds a wheelset down.
+/// Vertical constraint of a wheelset: its height or its load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum HeightOrLoad {
     /// Its height (m, down).
@@ -68,7 +68,7 @@ pub enum HeightOrLoad {
     AxleLoad(f64),
 }
 
-/// One place of contact of an answer, in track axes.
+/// Answer of one contact, in track axes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PatchAnswer {
     /// Reference point in track axes (m).
@@ -96,7 +96,7 @@ impl PatchAnswer {
     }
 }
 
-/// One wheel of an answer.
+/// Answer of one wheel.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct WheelAnswer {
     /// Force on the rail along the track's axes (N).
@@ -109,7 +109,7 @@ pub struct WheelAnswer {
     pub error: CellError,
 }
 
-/// What a map answers.
+/// Answer of a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Answer {
     /// The left wheel.

@@ -1,5 +1,5 @@
-//! What a wheelset on a map finds for itself: height, roll and pitch rate by Newton's method, and how these follow what is
-//! given.
+//! Equilibrium of a wheelset on a map: height, roll and pitch rate by Newton's method, and their implicit derivatives by
+//! what is given.
 
 use crate::answer::{HeightOrLoad, State};
 use crate::error::MapError;
@@ -12,7 +12,7 @@ pub(crate) const Z: usize = 1;
 pub(crate) const ROLL: usize = 2;
 pub(crate) const PITCH: usize = 5;
 
-/// What a wheelset finds for itself.
+/// Free variables of a wheelset's equilibrium.
 pub(crate) struct Unknowns {
     /// Their places among the variables.
     open: Few,

@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use crate::error::MapError;
 use crate::patch::Ellipse;
 
-/// What a contact of the full theory answers.
+/// Force of the full theory at one creepage, to which ellipses are fitted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
     /// Creepage along and across, and spin (rad/m), over the coefficient of friction.
@@ -30,7 +30,7 @@ impl Sample {
     }
 }
 
-/// From what a fit starts.
+/// Start of a fit: a contact's outline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contour {
     /// Dimensionless creepage over creepage, and spin over spin (m), times the coefficient of friction: as of
@@ -42,7 +42,7 @@ pub struct Contour {
     pub across: [f64; 2],
 }
 
-/// Two ellipses, and what is left.
+/// Fitted ellipses and their residual.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fit {
     /// The ellipses.

@@ -1,4 +1,4 @@
-//! The contact map of a wheelset, and how it is asked.
+//! Contact map of a wheelset: its two wheels, its accuracy, and its evaluation with derivatives.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use crate::patch::{WheelsetState, cross};
 use crate::scalar::{Dual, Scalar};
 use crate::wheel::{WheelActs, WheelMap};
 
-/// What a map knows of its wheelset.
+/// Description of the wheelset in a map's file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Head {
     /// Height of the axle over the track at `z = 0` (m).

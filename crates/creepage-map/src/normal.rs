@@ -1,4 +1,4 @@
-//! Where a wheel stands under its load.
+//! Height of a wheel over place and load, with what roll and yaw do to it.
 
 use crate::blend::{Cubic, cubic_weights};
 use crate::error::{MapError, Quantity};
@@ -75,7 +75,7 @@ pub struct Heights {
     powers: [f64; HEIGHTS],
 }
 
-/// A wheel as it stands, before its load is known.
+/// Wheel in its pose, before its load is known.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Placed<S> {
     /// The coordinate without what turns move the contact by (m).

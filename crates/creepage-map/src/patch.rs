@@ -1,4 +1,4 @@
-//! One place of contact at one node: where it lies, and the two ellipses whose forces it has.
+//! Contact patch at one node: where it lies, and the two equivalent ellipses whose forces it has.
 
 use creepage::table::{Shape, Slice, Table};
 
@@ -109,7 +109,7 @@ pub(crate) struct Prepared {
     shapes: [Shape; 2],
 }
 
-/// What all patches of a wheel are asked with, on the right-hand image.
+/// Pose and motion of the wheelset, with which all patches of a wheel are asked, on the right-hand image.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WheelsetState<S> {
     /// The wheelset's centre: lateral and vertical place (m).
@@ -127,8 +127,8 @@ pub(crate) struct WheelsetState<S> {
     pub(crate) about: [f64; 2],
 }
 
-/// Where a patch is asked: from its node along the place, along the logarithm of the load, and the
-/// cube root of the load over the node's.
+/// Distance of a query from a node: along the place, along the logarithm of the load, and the cube root of the
+/// load over the node's.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct From<S> {
     pub(crate) place: S,
@@ -142,8 +142,8 @@ impl<S: Scalar> From<S> {
     }
 }
 
-/// What a patch does to the rail over the wheel's load: force, moment, and friction's moment about the
-/// axle; its numbers for reports.
+/// Load of a patch on the rail, over the wheel's load: force, moment, and friction's moment about the axle; its
+/// numbers for reports.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Acting<S> {
     pub(crate) force: [S; 3],
@@ -232,7 +232,7 @@ impl Prepared {
     }
 }
 
-/// A node's contact in a blend of neighbours: its weight, and from where it is asked.
+/// Node's contact in a blend of neighbours: its weight, and the distance of the query.
 pub(crate) type WeightedPatch<'a, S> = (S, &'a Prepared, From<S>);
 
 /// Where contacts of neighbouring nodes lie, blended.

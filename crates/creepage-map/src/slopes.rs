@@ -1,5 +1,5 @@
-//! How the contacts of a node go on beside it: slopes of their geometry and of their ellipses along the map's
-//! place and along the logarithm of the load, from the neighbouring nodes.
+//! Slopes of a node's contacts: of their geometry and of their ellipses, along the map's place and along the logarithm
+//! of the load, by differences of neighbouring nodes.
 
 use creepage::Creepage;
 use creepage::table::Table;

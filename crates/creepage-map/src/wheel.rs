@@ -45,7 +45,7 @@ pub struct WheelMap {
     pub(crate) errors: Vec<CellError>,
 }
 
-/// What a wheel does to its rail.
+/// Force and moments of a wheel on its rail.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WheelActs<S> {
     /// Vertical part of the normal forces (N).

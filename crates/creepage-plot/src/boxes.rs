@@ -1,4 +1,4 @@
-//! Where everything in a picture is: what tests ask whether it is legible.
+//! Bounding boxes of everything in a picture: what tests ask whether it is legible.
 
 use resvg::usvg::{Group, Node, Rect};
 

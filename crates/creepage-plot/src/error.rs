@@ -1,8 +1,8 @@
-//! Why a picture could not be made.
+//! Error of a picture that could not be made.
 
 use resvg::usvg;
 
-/// Why an SVG could not be turned into pixels.
+/// Error of a rasterization.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum PlotError {

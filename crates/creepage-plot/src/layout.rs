@@ -1,4 +1,4 @@
-//! What goes where on a sheet with one ellipse, a legend, and a table at the foot.
+//! Layout of a sheet with one ellipse, a legend, and a table at the foot.
 
 use crate::clip::Frame;
 use crate::legend::Legend;

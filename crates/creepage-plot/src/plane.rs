@@ -1,4 +1,4 @@
-//! How an ellipse lies on the sheet: its axes, scale and arrows.
+//! Coordinate plane of an ellipse on the sheet: its axes, scale and arrows.
 
 use crate::clip::Frame;
 use crate::format::{round_below, significant};

@@ -1,4 +1,4 @@
-//! A case in SI units, from the text of a case file to its report.
+//! Python class of a case in SI units, from the text of a case file to its report.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;

@@ -1,4 +1,4 @@
-//! Contact maps of wheelsets: built, kept in a file, asked.
+//! Python class of contact maps of wheelsets: built, kept in a file, asked.
 
 use std::fs;
 use std::io::Write;

@@ -1,4 +1,4 @@
-//! Numbers as Python has them: floats, or anything of which NumPy makes an array of floats.
+//! Broadcast arguments: numbers, or anything of which NumPy makes an array of floats.
 
 use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};

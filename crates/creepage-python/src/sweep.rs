@@ -1,4 +1,4 @@
-//! Sweeps: series of cases of the numerical theory, chain by chain.
+//! Python class of sweeps: series of cases of the numerical theory, chain by chain.
 
 use std::ops::Range;
 

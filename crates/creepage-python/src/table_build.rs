@@ -1,4 +1,4 @@
-//! Building a table, open to Ctrl-C.
+//! Construction of a table, open to Ctrl-C.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -1,4 +1,4 @@
-//! What every prepared theory can be asked.
+//! Python base class of every prepared theory.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};

@@ -1,4 +1,4 @@
-//! Equivalent conicity of EN 15302.
+//! Equivalent conicity of EN 15302: from the difference of rolling radii, integrated over a wave of the wheelset.
 
 use crate::search::threshold;
 use crate::{GeometryError, WheelsetOnTrack};
@@ -28,7 +28,7 @@ pub struct RadiusDifference {
     ends: [Option<GeometryError>; 2],
 }
 
-/// Amplitudes that the profiles do not hold.
+/// Error of an amplitude that the profiles do not hold.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ConicityError {

@@ -1,4 +1,4 @@
-//! One place of contact: its plane, the undeformed distance over it, its extent.
+//! Contact of a wheel and a rail: its plane, the undeformed distance over it, its extent.
 
 use crate::frame::Frame;
 use crate::meeting::{Meeting, Overlap, WheelRailPair};
@@ -50,7 +50,7 @@ pub struct Contact<'a> {
     pub(crate) varying: Option<VaryingSurfaces>,
 }
 
-/// The undeformed bodies at one lateral place of the contact plane.
+/// Undeformed bodies at one lateral place of the contact plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Across {
     /// Lateral place in the plane (m).

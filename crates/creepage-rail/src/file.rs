@@ -73,7 +73,7 @@ pub enum Format {
     Json,
 }
 
-/// What is asked for in place of what would be found.
+/// Options of reading, in place of what would be found in the file.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ReadOptions {
     /// The format.

@@ -1,4 +1,4 @@
-//! What workshops measure on a wheel's profile: flange height, thickness and slope, a hollow tread.
+//! Wheel profile measures of EN 15313: flange height, thickness and slope, a hollow tread.
 
 use crate::search::threshold;
 use crate::{Profile, Role, Waves};

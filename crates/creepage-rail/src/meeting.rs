@@ -1,4 +1,4 @@
-//! The gap between a wheel's outline and the rail, over the wheel's profile.
+//! Vertical gap between a wheel's outline and the rail, over the wheel's profile; overlaps and the lowest point.
 
 use crate::curve::CurvePoint;
 use crate::search::crossing;

@@ -1,4 +1,4 @@
-//! A wheelset in its track: rest, rolling radii, contacts.
+//! Wheelset on its track: rest position, rolling radii, contacts.
 
 use crate::meeting::{Meeting, Overlap, WheelRailPair};
 use crate::varying_contact;
@@ -19,7 +19,7 @@ pub struct WheelsetOnTrack {
     place: [f64; 2],
 }
 
-/// Where a wheel touches its rail without load.
+/// Contact of a wheel and its rail without load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Touch {
     /// Height of the wheelset (m, down) at which it touches.

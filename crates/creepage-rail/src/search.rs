@@ -1,4 +1,4 @@
-//! Where a condition ceases to hold, and where a function is least.
+//! Scalar searches: bisection for a threshold, Chandrupatla's root, golden-section minimum.
 
 /// After which neighbours are those of rounding.
 const HALVINGS: i32 = 36;

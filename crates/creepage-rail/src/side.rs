@@ -1,4 +1,4 @@
-//! Left and right.
+//! Side of the track, left or right.
 
 /// A side of the track, seen in the direction of travel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -1,4 +1,4 @@
-//! Wheel and rail over the contact plane, on the right-hand image of their side.
+//! Surfaces of wheel and rail over the contact plane, on the right-hand image of their side.
 
 use crate::Across;
 use crate::curve::CurvePoint;

@@ -1,5 +1,5 @@
-//! A place of contact between surfaces that vary along rolling: its plane, which may slope along the track too,
-//! and the undeformed distance over it along its normal.
+//! Contact between surfaces that vary along rolling: its plane, which may slope along the track too, and the undeformed
+//! distance over it along its normal.
 
 use std::cell::Cell;
 

@@ -1,5 +1,5 @@
-//! Where a wheel and a rail that vary along rolling come near each other: the vertical gap over the wheel's
-//! surface, its least places, and the regions on which the bodies overlap.
+//! Contact search between a wheel and a rail that vary along rolling: the vertical gap over the wheel's surface, its
+//! least places, and the regions on which the bodies overlap.
 
 use crate::meeting::WheelRailPair;
 use crate::pair_surfaces::RailBelow;

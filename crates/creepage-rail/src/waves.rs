@@ -1,4 +1,4 @@
-//! Waves of a profile: how far its surface turns to and fro.
+//! Waviness of a profile: how far its surface turns to and fro.
 
 use crate::curve::{Curve, turn};
 

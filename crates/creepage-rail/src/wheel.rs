@@ -1,4 +1,4 @@
-//! Wheels on an axle, and the outline of a wheel that is turned against the rail.
+//! Wheels on an axle, and the outline of a yawed or rolled wheel against the rail.
 
 use crate::curve::CurvePoint;
 use crate::slices::SliceSurface;
@@ -219,7 +219,7 @@ impl Wheelset {
     }
 }
 
-/// Where a wheelset stands in the track.
+/// Pose of a wheelset in the track.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Position {
     /// Its centre to the right of the track centre (m).

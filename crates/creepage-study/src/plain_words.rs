@@ -1,4 +1,4 @@
-//! What the reader of TOML says, in the words of people who do not know its types.
+//! Plain-language messages of the TOML reader, for people who do not know its types.
 
 /// Its types, the longer names first, and what they are.
 const TYPES: [(&str, &str); 9] = [

@@ -1,4 +1,4 @@
-//! A case, solved.
+//! Solution of a case by a theory: [`SolvedCase`], whatever its contact.
 
 use std::fmt;
 use std::sync::OnceLock;
@@ -98,7 +98,7 @@ pub(crate) fn in_si_units(
     }
 }
 
-/// Why a case was not solved.
+/// Error of a case that was not solved.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SolveError {

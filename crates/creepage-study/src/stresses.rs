@@ -56,7 +56,7 @@ pub struct StressPoint {
     pub displacement: [f64; 3],
 }
 
-/// Why there are no stresses.
+/// Error of stresses that cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StressError {
@@ -79,7 +79,7 @@ pub enum StressError {
     },
 }
 
-/// Why stresses were not written.
+/// Error of stresses that were not written.
 #[derive(Debug, thiserror::Error)]
 pub enum StressFileError {
     /// There are none.

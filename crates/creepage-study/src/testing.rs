@@ -1,4 +1,4 @@
-//! Closed-form theories to report from, and contacts for them.
+//! Test theories in closed form, to report from, and contacts for them.
 
 use creepage::theory::{Diagnostic, TheoryFacts};
 use creepage::{
@@ -38,7 +38,7 @@ pub(crate) fn case(a_over_b: f64, given: [f64; 3]) -> Case {
     }
 }
 
-/// What a test knows of its theory.
+/// Kind of a test theory.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Trial {
     /// Complete sliding: traction at its bound along the rigid slip.

@@ -1,4 +1,4 @@
-//! What the page asks of a wheelset, answered in numbers and words.
+//! Engine of the wheelset explorer: answers of a wheelset in numbers and words.
 
 use std::fmt::Display;
 

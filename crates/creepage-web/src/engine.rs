@@ -1,4 +1,4 @@
-//! What the page asks, answered in numbers and words.
+//! Engine of the explorer: answers of the page's contact in numbers and words.
 
 use std::fmt::Display;
 

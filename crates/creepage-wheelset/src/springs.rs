@@ -1,4 +1,4 @@
-//! Rails without mass on springs: they move until the springs carry what the wheels press on them.
+//! Rails without mass on springs, by Newton's method: they move until the springs carry what the wheels press on them.
 //!
 //! The unknowns are the deviations of the sprung rails, the residual what the wheel presses on its rail, less
 //! what its springs carry, plus what else acts on it. Newton's method with a line search, its Jacobian by

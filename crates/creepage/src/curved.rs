@@ -1,5 +1,5 @@
-//! Contacts whose surfaces turn across the rolling direction: a ball in its groove, a wheel's throat on a
-//! gauge corner. Arc length across in place of a plane, and a normal that turns with it.
+//! Curved contacts, whose surfaces turn across the rolling direction: a ball in its groove, a wheel's throat on a gauge
+//! corner. Arc length across in place of a plane, and a normal that turns with it.
 //!
 //! With `s` the arc length across, `alpha(s)` the direction of the surface there (the angle from the
 //! contact's middle, positive where it goes down to the lower body) and `h(x, s)` the undeformed distance
@@ -56,7 +56,7 @@ const WIDEST: f64 = 1.4;
 /// Angle up to which a plane gap is given (rad).
 const STEEP: f64 = 1.0;
 
-/// Why a curved contact was not solved.
+/// Error of a curved contact that was not solved.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CurvedError {

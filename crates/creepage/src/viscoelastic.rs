@@ -22,7 +22,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::check::{self, InvalidValue};
 use crate::numerics::gauss::HALF_OF_GAUSS_10;
 
-/// How a body gives way in time.
+/// Relaxation of a body: its compliance over time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Relaxation {
     /// `f`: how much softer it is in the end, `G_g/G_r - 1`.
@@ -42,7 +42,7 @@ pub struct ViscoelasticCylinders {
     distance: f64,
 }
 
-/// The pressure between them under a load.
+/// Pressure between the cylinders under a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ViscoelasticPressure {
     cylinders: ViscoelasticCylinders,
@@ -53,7 +53,7 @@ pub struct ViscoelasticPressure {
     series: [f64; 3],
 }
 
-/// Why there is none.
+/// Error of viscoelastic cylinders without a solution.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ViscoelasticError {

@@ -1,4 +1,4 @@
-//! What the figures of proposition IV share: cylinders that roll, and their areas of adhesion over the
+//! Shared computation of the figures of proposition IV: cylinders that roll, and their areas of adhesion over the
 //! distance.
 
 use creepage::unsteady::{Motion, Rolled, Rolling};

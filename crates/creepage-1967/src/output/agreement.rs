@@ -1,4 +1,4 @@
-//! The table of agreement: what was printed, what is found.
+//! Table of agreement: printed values beside computed ones.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! What is written: the files of each item, the table of agreement, and the page with all of it.
+//! Output files: those of each item, the table of agreement, and the HTML gallery.
 
 mod agreement;
 mod page;

@@ -1,4 +1,4 @@
-//! The gallery: one page that needs nothing beside it, light or dark as the reader has it.
+//! HTML gallery: one page that needs nothing beside it, light or dark as the reader has it.
 
 use std::fmt::Write;
 

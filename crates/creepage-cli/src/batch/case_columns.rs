@@ -1,4 +1,4 @@
-//! Columns in SI units, by which rows differ from a case.
+//! Columns of a batch table in SI units, by which rows differ from a case.
 
 use creepage_study::{BulkCase, BulkRow, CaseFile, DamageWanted, Varied};
 use csv::ByteRecord;

@@ -1,4 +1,4 @@
-//! Where in a row the question stands, and how it is read.
+//! Columns of a batch table: where they stand in a row, and how their numbers are read.
 
 use creepage::{Contact, Creepage, Ellipse};
 use creepage_study::{BulkQuery, CaseError, GapVaried, Varied};
@@ -26,7 +26,7 @@ enum Place {
     Value(f64),
 }
 
-/// Why a table is no table of cases.
+/// Error of a table that is no table of cases.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub(crate) enum ColumnError {
     #[error(

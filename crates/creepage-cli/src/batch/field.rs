@@ -1,9 +1,9 @@
-//! A field of a row as a number, and why a row is no case.
+//! Parser of one field of a batch row, and the error of a row that is no case.
 
 use creepage::InvalidValue;
 use creepage_study::RowError;
 
-/// Why a row is no case.
+/// Error of a row that is no case.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub(super) enum NoCase {
     #[error("the row has {found} fields, but the header {expected}")]

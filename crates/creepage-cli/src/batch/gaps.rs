@@ -1,4 +1,4 @@
-//! Rows that differ from a case with `[gap]`: many contacts of any shape, on all cores.
+//! Batch rows that differ from a case with `[gap]`: many contacts of any shape, on all cores.
 
 use std::path::{Path, PathBuf};
 

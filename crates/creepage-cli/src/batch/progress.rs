@@ -1,4 +1,4 @@
-//! How far a batch has come, shown on a terminal only.
+//! Progress display of a batch, on a terminal only.
 
 use std::fs;
 use std::io::{self, IsTerminal};

@@ -1,4 +1,4 @@
-//! What a row asks, and why one asks nothing.
+//! Query of one batch row, dimensionless or in SI units, and the columns that its answer appends.
 
 use creepage_study::{BulkQuery, BulkRow, DamageWanted};
 use csv::ByteRecord;
@@ -7,7 +7,7 @@ use super::case_columns::CaseColumns;
 use super::columns::Columns;
 use super::field::NoCase;
 
-/// How the columns of a table ask.
+/// Reader of a row's query from the table's columns.
 #[derive(Debug, Clone)]
 pub(super) enum Ask {
     /// Without dimensions.
@@ -16,7 +16,7 @@ pub(super) enum Ask {
     Case(Box<CaseColumns>),
 }
 
-/// What a row asks.
+/// Query of a row.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum RowQuery {
     Dimensionless(BulkQuery),

@@ -1,4 +1,4 @@
-//! The table that goes out: the rows that came in, each with its answer appended.
+//! Output table of a batch: the input rows, each with its answer appended.
 
 use std::error::Error;
 use std::io::{self, Write};
@@ -14,7 +14,7 @@ use super::tally::Tally;
 /// A row's answer: the reply to what it asked.
 pub(super) type Answer = Result<(RowQuery, Reply), NoCase>;
 
-/// What is appended to a row of areas of any shape or of a wheelset.
+/// Columns appended to a row of areas of any shape or of a wheelset.
 pub(super) struct RowAnswer {
     pub(super) numbers: Vec<f64>,
     pub(super) status: Status,

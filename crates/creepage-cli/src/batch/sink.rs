@@ -1,11 +1,11 @@
-//! Where rows go: a file that appears when it is whole, or standard output.
+//! Destination of batch rows: a file that appears when it is whole, or standard output.
 
 use std::io::{self, Stdout, Write};
 use std::path::Path;
 
 use creepage_study::WholeFile;
 
-/// Where rows go.
+/// Destination of rows.
 pub(super) enum Sink {
     Stdout(Stdout),
     File(WholeFile),

@@ -1,5 +1,5 @@
-//! Rows as they come: read by a thread of their own, so that those that are there need not wait for
-//! those that are not.
+//! Stream of input rows: read by a thread of their own, so that those that are there need not wait for those that are
+//! not.
 
 use std::io::Read;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};

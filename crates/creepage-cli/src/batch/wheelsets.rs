@@ -1,4 +1,4 @@
-//! Rows that differ from a wheelset's file: positions, loads, motions and friction, on all cores.
+//! Batch rows that differ from a wheelset's file: positions, loads, motions and friction, on all cores.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! How the bodies of a case touch: radii, semi-axes, a line, or the undeformed distance.
+//! Conversion of a case's geometry: radii, semi-axes, a line, or the undeformed distance.
 
 use super::{Cause, Geometry, LoadOrApproach};
 use crate::bodies::{Bodies, Grid, Shape};

@@ -1,4 +1,4 @@
-//! Rolling from step to step, after a shift or steady rolling.
+//! Conversion of transient cases: a table of steps, after a shift or steady rolling.
 
 use super::{Cause, Geometry, LoadOrApproach, Parts};
 use crate::bodies::Bodies;

@@ -1,4 +1,4 @@
-//! A case of module 3 as a case file of creepage.
+//! Conversion of a case of module 3 to a case file of creepage.
 
 mod friction;
 mod geometry;

@@ -1,4 +1,4 @@
-//! How the bodies of a case move: shifts and steady rolling.
+//! Conversion of the motion of a case's bodies: shifts and steady rolling.
 
 use super::{Cause, Geometry, LoadOrApproach, Parts};
 use crate::bodies::Bodies;

@@ -1,5 +1,5 @@
-//! Points brought to the house's form: metres, `y` to the field side, `z` down, in the order of
-//! the role. What the file says is looked at beside what the shape shows.
+//! Normalization of a profile's points to the house's form: metres, `y` to the field side, `z` down, in the order of the
+//! role. What the file says is looked at beside what the shape shows.
 
 use super::rows::{Point, Raw, move_all};
 use super::shape::{self, Shape, extent, level};

@@ -1,4 +1,4 @@
-//! A rail head from its arcs.
+//! Rail head from its arcs.
 
 use crate::curve::{Arc, Line};
 use crate::{Curve, Piece, Profile, ProfileError, Role};

@@ -1,4 +1,4 @@
-//! Rails.
+//! Standard rail profiles.
 
 use super::RailHead;
 use super::zones::Zone::Up;

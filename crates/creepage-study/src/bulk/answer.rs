@@ -1,4 +1,4 @@
-//! The force of a row in SI units.
+//! Answer of a bulk row: its force and other numbers in SI units.
 
 use creepage::SiForce;
 use rayon::prelude::*;
@@ -8,7 +8,7 @@ use super::solver::{Reply, RowError, Solver};
 use crate::damage::DamageInput;
 use crate::{Damage, DamageWanted};
 
-/// A row answered, in SI units.
+/// Answer of a row, in SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BulkAnswer {
     /// What was asked.
@@ -17,7 +17,7 @@ pub struct BulkAnswer {
     pub reply: Reply,
 }
 
-/// A number that a row has besides its dimensionless answer.
+/// Column of a row's answer besides the dimensionless force.
 #[derive(Debug, Clone, Copy)]
 pub struct BulkColumn {
     /// The name of its column.

@@ -1,4 +1,4 @@
-//! A case some of whose quantities vary.
+//! Bulk case, some of whose quantities vary from row to row.
 
 use creepage::{Contact, Creepage, Hertz, TheorySpec};
 
@@ -39,7 +39,7 @@ pub struct BulkCase {
     damage: Option<DamageWanted>,
 }
 
-/// A row: a contact and how it creeps.
+/// Row of a bulk case: a contact and its creepage.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BulkRow {
     /// The contact ellipse and its pressure.

@@ -1,5 +1,5 @@
-//! One case many times: some of its quantities have a value of their own in every row, such as a
-//! measured history of creepages and normal forces.
+//! Bulk solution of one case with varying quantities: some have a value of their own in every row, such as a measured
+//! history of creepages and normal forces.
 //!
 //! A [`BulkCase`] is prepared from a case file and the quantities that vary ([`Varied`]); it makes a
 //! [`BulkRow`] of the values of a row, which asks a [`BulkQuery`]. A [`Solver`] answers many questions

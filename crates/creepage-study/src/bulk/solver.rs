@@ -1,4 +1,4 @@
-//! Many questions at once: grouped by what a theory is prepared for, on all cores.
+//! Bulk solver of many queries: grouped by what a theory is prepared for, on all cores.
 
 use std::ops::Deref;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use crate::recent::Recent;
 use crate::{CaseError, Caution};
 
-/// What a row asks.
+/// Query of one row: a contact and a creepage.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BulkQuery {
     /// The contact.
@@ -33,7 +33,7 @@ pub struct Reply {
     pub cautions: Vec<Caution>,
 }
 
-/// Why a row has no answer.
+/// Error of a row without an answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RowError {

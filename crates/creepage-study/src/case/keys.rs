@@ -1,4 +1,4 @@
-//! Sections and keys of a file against those of the format, which the schema knows.
+//! Check of a file's sections and keys against those of the format, which the schema knows.
 
 use serde_json::Value;
 use toml::Table;

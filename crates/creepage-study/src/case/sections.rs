@@ -1,4 +1,4 @@
-//! The sections of a case file that say what touches and how it creeps: numbers, cheap to clone.
+//! Sections of a case file that say what touches and how it creeps: numbers, cheap to clone.
 
 use creepage::{Contact, Hertz};
 

@@ -1,4 +1,4 @@
-//! The name that a misspelt one may stand for.
+//! Suggestion of the name that a misspelt one may stand for.
 
 /// The name most like `key`, if any is like it at all.
 pub(crate) fn similar<'a>(key: &str, names: &[&'a str]) -> Option<&'a str> {

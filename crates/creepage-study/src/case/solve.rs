@@ -7,7 +7,7 @@ use toml::{Table, Value};
 use super::similar::similar;
 use crate::plain_words::plain_words;
 
-/// Why `[solve]`, or options that stand outside a case file, name no theory.
+/// Error of `[solve]`, or of options outside a case file, that name no theory.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SpecError {

@@ -1,4 +1,4 @@
-//! A case of two bodies of any shape, every number of it checked.
+//! Case of two bodies of any shape, every number of it checked.
 
 use creepage::curved::CurvedGap;
 use creepage::friction_law::RollingFriction;
@@ -13,7 +13,7 @@ use crate::damage::DamageWanted;
 use crate::heat::HeatWanted;
 use crate::{CaseError, Sources};
 
-/// What presses the bodies together.
+/// Normal constraint of a contact: its load or its approach.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LoadOrApproach {
     /// A normal force (N).

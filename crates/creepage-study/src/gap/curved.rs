@@ -43,7 +43,7 @@ pub(super) enum Surface {
     Curved,
 }
 
-/// What a curved contact has besides its pressure over `x` and the arc length.
+/// Quantities of a curved contact besides its pressure over `x` and the arc length.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct CurvedJson {
     /// By how much the surface turns from one side of the areas to the other (rad).

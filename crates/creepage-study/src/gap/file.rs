@@ -1,4 +1,4 @@
-//! A case file with `[gap]`: its sections, and the case that they describe.
+//! Case file with `[gap]`: its sections, and the case that they describe.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Cases of any shape solved: what one presses together, the next ones only roll.
+//! Solver of cases of any shape, with a cache: what one case presses together, the next ones only roll.
 
 use std::sync::Arc;
 

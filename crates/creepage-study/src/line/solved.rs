@@ -1,4 +1,4 @@
-//! A line contact solved: edges, pressure, traction, force and creepage.
+//! Solved line contact: edges, pressure, traction, force and creepage.
 
 use creepage::approximate::carter::Carter;
 use creepage::coulomb::{Cylinders, CylindersSolved};

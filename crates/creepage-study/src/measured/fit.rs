@@ -1,4 +1,4 @@
-//! Friction, and the initial slope, fitted to measured forces.
+//! Fit of the coefficient of friction, and of the initial slope, to measured forces.
 
 use std::path::Path;
 

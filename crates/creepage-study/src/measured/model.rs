@@ -1,4 +1,4 @@
-//! What a theory says at the measured points for any coefficient of friction.
+//! Model of a fit: forces of a theory at the measured points, for any coefficient of friction.
 
 use std::path::Path;
 use std::sync::Arc;

@@ -1,5 +1,4 @@
-//! A series of cases on its way, and its results as a table: CSV, JSON, and NetCDF for pandas,
-//! xarray and others.
+//! Series of cases and its results as a table: CSV, JSON, and NetCDF for pandas, xarray and others.
 
 mod journal;
 mod netcdf;
@@ -47,7 +46,7 @@ pub struct SeriesRow {
     pub second_start_difference: f64,
 }
 
-/// What all cases of a series share.
+/// Quantities that all cases of a series share.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SeriesHead {
     /// Ratio `a/b` of the contact's semi-axes.

@@ -1,4 +1,4 @@
-//! A sweep on its way: its chains side by side, every solved case in a journal.
+//! Run of a sweep: its chains side by side, every solved case in a journal.
 
 use std::io;
 use std::path::Path;

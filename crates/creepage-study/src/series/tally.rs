@@ -1,4 +1,4 @@
-//! How many cases of a series were solved, and how.
+//! Tally of a series: how many cases were solved, and how.
 
 use std::fmt;
 use std::io;

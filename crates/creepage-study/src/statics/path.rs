@@ -1,4 +1,4 @@
-//! A shift to and fro: its numbers, its steps as text, JSON and CSV, and force over shift as a picture.
+//! Path of a shift to and fro: its numbers, its steps as text, JSON and CSV, and force over shift as a picture.
 
 use std::fmt::Write as _;
 

@@ -1,4 +1,4 @@
-//! How far a solution with partial slip is from the law of friction.
+//! Angle between slip and traction: how far a solution with partial slip is from the law of friction.
 
 use std::f64::consts::TAU;
 
@@ -13,8 +13,7 @@ const POINTS_PER_RING: u32 = 120;
 /// Slip below this share of the shift is lost in rounding, and has no direction.
 const NOISE: f64 = 1e-8;
 
-/// Slip where there is any, and its angle to the traction, by which the solution fails the law of
-/// friction.
+/// Slip and its angle to the traction, by which the solution fails the law of friction.
 pub(super) struct Slip {
     /// The largest slip (m).
     pub(super) largest: f64,

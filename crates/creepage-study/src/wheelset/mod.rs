@@ -1,4 +1,4 @@
-//! A wheelset in its track: the case file, its conicity; profiles and what was done to them.
+//! Wheelsets in their track: case file, conicity, profiles, solution and reports.
 //!
 //! Lengths in metres, angles in radians, forces in newtons; `x` forward, `y` to the right, `z`
 //! down.

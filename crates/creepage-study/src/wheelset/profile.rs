@@ -1,4 +1,4 @@
-//! A profile that a case names: a standard one, or a file beside the case.
+//! Profile that a case names: a standard one, or a file beside the case.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! A solved wheelset with what is said of it: cautions, wear and fatigue numbers.
+//! Report of a solved wheelset: with cautions, wear and fatigue numbers.
 
 use std::ops::Deref;
 

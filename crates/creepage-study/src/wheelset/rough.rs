@@ -1,4 +1,4 @@
-//! The caution for profiles that are rough where they touch.
+//! Caution for profiles that are rough where they touch.
 
 use creepage::{Solid, SolidPair};
 use creepage_rail::{RadiusDifference, Side};

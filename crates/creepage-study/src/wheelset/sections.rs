@@ -1,4 +1,4 @@
-//! The sections of the file, as they are written.
+//! Sections of a wheelset file, as they are written.
 
 use creepage::Solid;
 use creepage_rail::Smoothing;

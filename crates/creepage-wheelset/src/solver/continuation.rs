@@ -1,4 +1,4 @@
-//! A position beside one that was solved: by a coarse grid, corrected by what a fine one added there.
+//! Continuation from a solved position: a coarse grid, corrected by what a fine one added there.
 
 use std::sync::Arc;
 

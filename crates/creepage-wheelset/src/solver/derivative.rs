@@ -1,4 +1,4 @@
-//! Derivatives of the forces on both rails, with what the wheelset finds for itself following.
+//! Derivatives of the forces on both rails, with the implicit ones of what the wheelset finds for itself.
 
 use creepage_rail::Side;
 

@@ -1,4 +1,4 @@
-//! The equilibrium of a wheelset: the height and the roll at which its wheels carry what is asked of them.
+//! Equilibrium of a wheelset: the height and the roll at which its wheels carry what is asked of them.
 //!
 //! Newton's method on the vertical forces to the power 2/3 ([`Target`]), with the stiffness of the contacts as
 //! Jacobian, Broyden's updates for what that does not know, and a trust region. The pitch rate, at which friction
@@ -38,7 +38,7 @@ const SCATTER: f64 = 5e-4;
 const FOLLOWS: f64 = 0.015;
 /// A part of the residual at which the next stage begins: closer, friction is worth more than another step.
 const NEXT_STAGE_BELOW: f64 = 0.25;
-/// A step on known friction that leaves more than this part of the residual is followed by rolling.
+/// Friction is solved again if a step with frozen friction leaves more than this part of the residual.
 const MAX_RESIDUAL_PART: f64 = 0.5;
 
 /// How finely an evaluation presses and rolls, and the residual at which the next stage begins.

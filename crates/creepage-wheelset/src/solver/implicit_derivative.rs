@@ -1,4 +1,4 @@
-//! What a wheelset finds for itself, and how it follows what is given.
+//! Implicit derivatives: how the free variables of an equilibrium follow the given ones.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -9,13 +9,13 @@ use crate::{Load, StateVariable, WheelsetError, WheelsetPose, WheelsetVelocity};
 /// Both wheels, left and right; zeros for one that is not there.
 pub(crate) type WheelJacobians = [LoadJacobian; 2];
 
-/// The parts of the left and the right wheel.
+/// Weights of the left and the right wheel.
 type WheelWeights = [f64; 2];
 const BOTH: WheelWeights = [1.0, 1.0];
 const LEFT: WheelWeights = [1.0, 0.0];
 const RIGHT: WheelWeights = [0.0, 1.0];
 
-/// What is found, and what it keeps as it is.
+/// Free variables of an equilibrium, and the sums that it keeps.
 pub(crate) struct FreeVariables {
     /// Each with the wheels that it moves.
     unknowns: Vec<(StateVariable, WheelWeights)>,

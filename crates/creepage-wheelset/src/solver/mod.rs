@@ -1,5 +1,4 @@
-//! The contacts of a wheelset solved: where it stands under its load, what presses on each
-//! contact, how it rolls there.
+//! Wheelset solver: equilibrium under the load, pressure of each contact, and rolling there.
 
 mod continuation;
 mod cross_patch;

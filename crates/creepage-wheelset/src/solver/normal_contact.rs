@@ -1,4 +1,4 @@
-//! One wheel pressed on its rail: its contacts and the pressure in each.
+//! Normal contact of one wheel on its rail: its contacts and the pressure in each.
 
 use creepage::SolidPair;
 use creepage::gap::{Gap, Rolling};
@@ -19,7 +19,7 @@ const LATTICE: [usize; 2] = [61, 81];
 /// How far beyond the overlap they reach, over its width.
 const MARGIN: f64 = 0.05;
 
-/// A place of contact with its pressure.
+/// Contact with its pressure.
 #[derive(Debug, Clone)]
 pub(crate) struct PressedContact<'a> {
     pub(crate) contact: Contact<'a>,
@@ -36,7 +36,7 @@ pub(crate) struct PressedWheel<'a> {
     pub(crate) contacts: Vec<PressedContact<'a>>,
 }
 
-/// The pressure of a contact in a position close by, from which others are found quickly.
+/// Warm start of a contact's pressure, from a position close by.
 #[derive(Debug, Clone)]
 pub(crate) struct PatchWarmStart {
     side: Side,
@@ -68,7 +68,7 @@ impl PatchWarmStart {
     }
 }
 
-/// What pressing needs to know besides the position.
+/// Solver of the normal contact of a wheel: all that pressing needs besides the position.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NormalSolver<'a> {
     pub(crate) running: &'a WheelsetOnTrack,

@@ -1,4 +1,4 @@
-//! How what one wheel does changes with one number of its position or motion, all others held.
+//! Partial derivatives of one wheel's loads by its position and motion, by central differences of two steps.
 
 use creepage::SiForce;
 use creepage_rail::{Motion, Position};
@@ -25,7 +25,7 @@ pub(crate) const AXLE: usize = 6;
 /// Where they have the moment about `x` through the wheelset's centre.
 pub(crate) const ROLLING: usize = 7;
 
-/// Their derivatives by [`StateVariable::ALL`].
+/// Derivatives of the wheel's loads by [`StateVariable::ALL`].
 pub(crate) type LoadJacobian = SMatrix<f64, 8, 8>;
 
 /// A part of the position that is moved, and by how much to either side (m, rad): less, and the
@@ -98,7 +98,7 @@ impl<'a> Standing<'_, 'a> {
         Ok(sum)
     }
 
-    /// Twice, for a pressure that is found from another keeps a hundredth part of the way to it.
+    /// The pressed wheel, solved twice: a single warm-started solution keeps a bias of some 1 % of the change.
     fn pressed(&self, position: Position) -> Result<[PressedWheel<'a>; 1], WheelsetError> {
         let first = self.solver.press.wheel(self.wheel.side, position, self.known)?;
         Ok([self.solver.press.wheel(self.wheel.side, position, &PatchWarmStart::of(&[first]))?])

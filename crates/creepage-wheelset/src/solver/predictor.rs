@@ -1,5 +1,4 @@
-//! Where a wheelset stands beside a position that was solved: what the undeformed bodies tell of it,
-//! before anything is pressed.
+//! Predictor of the pose beside a solved position: by the undeformed bodies, before anything is pressed.
 
 use creepage_rail::{Contact, Position, Side, WheelsetOnTrack};
 

@@ -1,4 +1,4 @@
-//! What was pressed and rolled, as a solved wheelset keeps it.
+//! Solution of an equilibrium, as a solved wheelset keeps it.
 
 use std::sync::Arc;
 

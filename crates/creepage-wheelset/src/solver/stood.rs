@@ -1,4 +1,4 @@
-//! A wheel pressed on its rail without rolling: what a contact map is built of.
+//! Wheel pressed on its rail without rolling: what a contact map is built of.
 
 use creepage::normal::{NormalContact, Resolution};
 use creepage_rail::{Contact, Position, Side};

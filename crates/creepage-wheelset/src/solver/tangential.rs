@@ -1,4 +1,4 @@
-//! Rolling on the contacts of a wheelset whose pressure is known.
+//! Tangential solution on contacts whose pressure is known, and the search for the pitch rate.
 
 use std::sync::Arc;
 
@@ -23,7 +23,7 @@ use crate::tilt::{Placed, distance};
 use crate::warm_start::PitchState;
 use crate::{WheelsetError, WheelsetVelocity};
 
-/// By which theory contacts roll, and how finely.
+/// Tangential theory, and its resolution.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Method {
     Exact(Resolution),
@@ -46,7 +46,7 @@ pub(crate) enum Prepared {
     Simplified(Arc<NonHertzianSimplified>),
 }
 
-/// A contact rolled.
+/// Solution of rolling on one contact.
 #[derive(Debug)]
 pub(crate) enum Answer<'r> {
     Exact(Box<NonHertzianSolved<'r>>),
@@ -111,7 +111,7 @@ impl Prepared {
     }
 }
 
-/// The friction on a contact in a position close by.
+/// Warm start of a contact's tractions, from a position close by.
 #[derive(Debug, Clone)]
 pub(crate) struct TractionWarmStart {
     side: Side,
@@ -191,7 +191,7 @@ pub(crate) struct Rolling<'w, 'a> {
     near: Option<TractionWarmStart>,
 }
 
-/// The same, rolled.
+/// Contact with the solution of its rolling.
 #[derive(Debug)]
 pub(crate) struct Rolled<'r> {
     pub(crate) motion: RigidMotion,
@@ -339,7 +339,7 @@ pub(crate) fn axle(position: Position) -> [f64; 3] {
     [-sin, cos * cos_roll, cos * sin_roll]
 }
 
-/// How the wheels turn, and how their contacts roll then.
+/// Pitch rate of the wheels, with their contacts' rolling at it.
 pub(crate) struct Turning<'r> {
     /// Of the left and of the right wheel.
     pub(crate) motions: [Motion; 2],

@@ -1,4 +1,4 @@
-//! What is asked of the vertical forces, and Newton's step in height and roll that meets it.
+//! Vertical load balance: Newton's step in height and roll that meets the prescribed vertical forces.
 //!
 //! The load of a wheel rises with its depth to the power 3/2 (Hertz 1882). Newton's method therefore acts on forces to
 //! the power 2/3, which are nearly linear in height and roll: one step from a third or from three times the load
@@ -68,7 +68,7 @@ fn root(force: f64) -> f64 {
     force.max(0.0).cbrt().powi(2)
 }
 
-/// What is asked of the vertical forces on both rails, or on one.
+/// Prescribed vertical forces on both rails, or on one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Target {
     /// Nothing: height and roll are given.

@@ -1,4 +1,4 @@
-//! Two unlike cylinders with parallel axes: Carter's problem with `kappa`, coupled both ways.
+//! Unlike cylinders with parallel axes: Carter's problem with `kappa`, coupled both ways.
 //!
 //! R. H. Bentall, K. L. Johnson, Slip in the rolling contact of two dissimilar elastic rollers,
 //! Int. J. Mech. Sci. 9 (1967) 389-404. In units of the frictionless half-width `a` and peak pressure
@@ -25,7 +25,7 @@ use crate::theory::Status;
 
 /// Elements, closer towards the ends: angles of equal size.
 const ELEMENTS: usize = 128;
-/// Of the traction that an element's own slip asks for.
+/// Weight `r` of slip in the projection, as a fraction of the traction per slip of an element alone.
 const WEIGHT: f64 = 0.3;
 
 /// Unlike cylinders under a load, prepared for one coefficient of friction.

@@ -1,4 +1,4 @@
-//! What drives the slip: creepage, spin and, between dissimilar bodies, the pressure (6.4).
+//! Slip forcing: creepage, spin and, between dissimilar bodies, the pressure (6.4).
 //!
 //! The pressure's part has a closed form. By (2.11a,b) `u - iv`, as a function of `z = x + iy`, is
 //! the plane field of attraction of a mass of density `Z`, times `-kappa / (pi G)`. Newton's shells

@@ -1,10 +1,10 @@
-//! The law of Coulomb as a projection: a traction (over its bound) and a slip obey it when the
-//! traction plus a positive multiple of the slip projects on the unit disc as that traction.
+//! Coulomb's law as a projection: a traction (over its bound) and a slip obey it when the traction plus a positive
+//! multiple of the slip projects on the unit disc as that traction.
 //!
 //! An element that changes between adhesion and slip bends the force as a function of creepage.
 //! So the solver rounds the projection's corner, over a width that shrinks with the elements.
 
-/// How the corner of the projection is rounded, and over which half-width.
+/// Rounding of the projection's corner, and its half-width.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) enum Regularization {
     #[default]

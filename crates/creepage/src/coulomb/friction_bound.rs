@@ -26,7 +26,7 @@ pub(crate) struct FrictionBound {
     arriving: Vec<Arriving>,
 }
 
-/// The present size of the contact, and how it moves.
+/// Present size of the contact, and its motion.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Moment {
     /// Size over that of the units.

@@ -1,5 +1,5 @@
-//! One resolution, prepared: elements, their pressure, and the slip of each by the traction of
-//! every other.
+//! Grid of one resolution: elements, their pressure, and the influence of the traction of each on the slip of every
+//! other.
 
 use super::forcing::{self, SlipForcing};
 use super::friction_bound::FrictionBound;
@@ -14,10 +14,10 @@ use crate::friction_law::RollingFriction;
 use crate::layer::Layer;
 use crate::{Creepage, Scaling};
 
-/// Of the traction that an element's own slip asks for.
+/// Weight `r` of slip in the projection, as a fraction of the traction per slip of an element alone.
 const WEIGHT: f64 = 0.3;
-/// Half-width of the rounded corner of Coulomb's law, in parts of the traction bound: times the number
-/// of elements along, by which traction changes from one to the next, and at most.
+/// Regularization half-width over the traction bound, `min(4/n, 0.15)` with `n` elements along: the traction changes
+/// by some `1/n` from one element to the next.
 const ROUNDING: [f64; 2] = [4.0, 0.15];
 
 /// Everything that is prepared for one resolution.

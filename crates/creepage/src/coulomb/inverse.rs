@@ -1,4 +1,4 @@
-//! The inverse problem: any three of the six quantities in, the other three out.
+//! Inverse problem by Newton's method: any three of the six quantities in, the other three out.
 
 use nalgebra::{DMatrix, DVector};
 

@@ -1,4 +1,4 @@
-//! The mesh: strips along the rolling direction, each cut into elements along its own length.
+//! Mesh of an ellipse: strips along the rolling direction, each cut into elements along its own length.
 //!
 //! A strip has its own ends, borders and number of elements. An element is a quadrilateral between
 //! the cuts of its strip's two borders, for the ends of a strip are not the same on both:

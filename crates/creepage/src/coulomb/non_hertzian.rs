@@ -1,4 +1,4 @@
-//! The full theory on contact areas of any shape.
+//! Full theory on contact areas of any shape: extrapolation from two grids, with warm starts.
 
 use std::sync::Arc;
 

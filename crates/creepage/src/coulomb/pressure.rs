@@ -1,4 +1,4 @@
-//! How the pressure spreads the traction bound and the normal load over the elements.
+//! Pressure of the elements: how it spreads the traction bound and the normal load over them.
 
 use std::f64::consts::PI;
 

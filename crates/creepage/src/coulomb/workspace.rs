@@ -1,4 +1,4 @@
-//! Buffers of one case on two grids, and a pool of them.
+//! Workspace of one case: buffers on two grids, and a pool of them.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -10,10 +10,10 @@ use super::solver::{Equations, Outcome, State};
 use crate::Force;
 use crate::theory::{Solution, Statistics, Status};
 
-/// Forces of two solutions at one creepage differ by more, in parts of `mu N`.
+/// Two solutions at one creepage are distinct if their forces differ by more than this part of `mu N`.
 const DISTINCT_FORCES: f64 = 1e-3;
 
-/// The state of one grid.
+/// State of one grid.
 #[derive(Debug, Clone, Default)]
 struct GridState {
     state: State,

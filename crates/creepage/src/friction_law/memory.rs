@@ -1,4 +1,4 @@
-//! Friction that follows the speed of slip with a delay.
+//! Friction memory: the coefficient follows the speed of slip with a delay.
 
 use super::FrictionLaw;
 use crate::check::{self, InvalidValue};

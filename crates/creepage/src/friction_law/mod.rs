@@ -37,7 +37,7 @@ use std::f64::consts::LN_2;
 
 use crate::check::{self, InvalidValue};
 
-/// How the terms of a law fall with the speed of slip.
+/// Shape of a law's terms over the speed of slip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Shape {
     /// `2^(-s/s_i)`.

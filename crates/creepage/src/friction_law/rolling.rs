@@ -1,4 +1,4 @@
-//! A law of friction in a contact that rolls.
+//! Friction law of a rolling contact: by slip at a given speed, by place, or by temperature.
 
 use super::{FrictionAcross, FrictionByTemperature, FrictionLaw, FrictionMemory, Thermal};
 use crate::check::{self, InvalidValue};
@@ -15,7 +15,7 @@ pub struct RollingFriction {
     by: Dependence,
 }
 
-/// What else friction depends on.
+/// Further variable on which friction depends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Dependence {
     Nothing,

@@ -1,4 +1,4 @@
-//! A rectangle that holds every place where a gap is below some height.
+//! Bounding rectangle of the places where a gap is below some height.
 
 use super::polynomial::Polynomial;
 use super::section::Section;

@@ -1,11 +1,11 @@
-//! A section across rolling, and a radius along it.
+//! Gap by a section across rolling, and a radius along it.
 
 use super::cubic::{Cell, Cubic};
 use super::error::{GapError, all_finite};
 use super::grid::Grid;
 use crate::check;
 
-/// How the gap opens along the rolling direction on either side of its locus.
+/// Shape of the gap along the rolling direction on either side of its locus.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rolling<'a> {
     /// One radius for all y: `h = h(y) + x^2 / (2 R)` (m).

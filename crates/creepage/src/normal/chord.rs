@@ -1,4 +1,4 @@
-//! The pressure along one line of a contact area: `a sqrt(1 - s^2) rho(s)`, as [`Band`](super::patch_strip::Band) has it.
+//! Pressure along one chord of a contact area: `a sqrt(1 - s^2) rho(s)`, as [`Band`](super::patch_strip::Band) has it.
 
 use super::lattice::whole;
 use crate::numerics::gauss::GAUSS_4;
@@ -43,7 +43,7 @@ impl Chord {
     }
 }
 
-/// A band along one y: where it lies, and the pressure on it.
+/// Chord of a band at one y: where it lies, and the pressure along it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ChordProfile {
     /// Middle between the ends (m).

@@ -24,8 +24,7 @@ pub struct Estimate {
     pub error: f64,
 }
 
-/// How finely contact areas are resolved: the number of strips across an area, or of elements
-/// along a mean chord of it.
+/// Resolution of contact areas: the number of strips across an area, or of elements along a mean chord of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resolution {
     pub(super) count: usize,
@@ -64,7 +63,7 @@ impl Default for Resolution {
     }
 }
 
-/// Whether the equations are solved.
+/// Convergence of the normal solver.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Status {
     /// To the solver's tolerance.
@@ -76,7 +75,7 @@ pub enum Status {
     },
 }
 
-/// How the contact was found.
+/// Method by which the contact was found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
     /// By strips whose pressure vanishes as a root at fitted ends.
@@ -149,7 +148,7 @@ fn reaches(origin: [f64; 2], load: f64, area: f64) -> bool {
     (load / origin[0] - 1.0).abs() < MAX_CHANGE && (area / origin[1] - 1.0).abs() < MAX_CHANGE
 }
 
-/// What a contact close by tells of another: its areas, the matrix of its strips, and how many it took.
+/// Warm start from a contact close by: its areas, the matrix of its strips, and how many it took.
 #[derive(Debug, Clone)]
 pub(super) struct NormalWarmStart<'a> {
     pub(super) areas: Vec<Patch>,
@@ -211,7 +210,7 @@ impl NormalContact {
         is_like.then(|| own.into_iter().zip(expected).map(beyond).collect())
     }
 
-    /// The same with areas so many times as much wider: where the next contact like this one is to be sought.
+    /// Predictor of the next contact like this one: its patches' sides, extrapolated by `times` their growth `beyond`.
     #[must_use]
     pub fn with_sides_moved(&self, beyond: &[[f64; 2]], times: f64) -> Self {
         let mut moved = self.clone();

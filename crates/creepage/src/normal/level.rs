@@ -21,7 +21,7 @@ pub(super) struct ElementGrid {
     pub(super) stiffness: f64,
 }
 
-/// What a level is asked to solve.
+/// Normal problem on one lattice.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NormalProblem<'a> {
     pub(super) gap: &'a Gap,
@@ -30,7 +30,7 @@ pub(super) struct NormalProblem<'a> {
     pub(super) approach: f64,
 }
 
-/// How well a level is solved.
+/// Tolerances of a lattice's solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Accuracy {
     /// Largest residual, in parts of the greatest depth.

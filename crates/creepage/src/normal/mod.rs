@@ -1,5 +1,5 @@
-//! Normal contact of bodies of any shape, on the half-space: pressures that are not negative and
-//! keep the bodies apart, on any number of patches in one system.
+//! Normal contact of bodies of any shape, on the half-space: pressures that are not negative and keep the bodies apart,
+//! on any number of patches in one system.
 //!
 //! With `E* = G/(1 - sigma)` and the undeformed distance `h`:
 //!

@@ -1,5 +1,4 @@
-//! A band: a part of a contact area that every line along x crosses once; its ends and the pressure in
-//! it.
+//! Band of a patch: a part of a contact area that every line along x crosses once; its ends and the pressure in it.
 //!
 //! At each `y` the area reaches from `x_0(y) - a(y)` to `x_0(y) + a(y)`, and with
 //! `s = (x - x_0)/a` the pressure is
@@ -251,8 +250,8 @@ impl Band {
         self.tips
     }
 
-    /// The same with its sides drawn in, or out by less than nothing; chords that come to lie outside are left out, but the
-    /// last one stays.
+    /// The band trimmed at its sides (extended where negative); chords that come to lie outside are dropped, but at least
+    /// one stays.
     pub(super) fn trimmed(&self, by: [f64; 2]) -> Self {
         let y = [self.y[0] + by[0], self.y[1] - by[1]];
         self.between(y, self.tips).unwrap_or_else(|| self.clone())

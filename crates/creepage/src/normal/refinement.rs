@@ -6,7 +6,7 @@ use super::patch::Patch;
 use super::solution::{Prescribed, SolvedPair, SolvedPatches};
 use super::strips::{self, StripOptions};
 
-/// Where the areas come from in which strips begin.
+/// Start of the strips: where their areas come from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Start {
     /// A first look, which is to be improved if strips do not settle at once.
@@ -17,12 +17,12 @@ pub(super) enum Start {
     Close,
 }
 
-/// Tips by a few strips decide where more are laid, so that these hardly depend on the start: parts of a
-/// strip's width, coarse and fine.
+/// Convergence tolerance of the tips, in widths of a strip, on the coarse and the fine pass: the coarse tips decide
+/// where the fine strips are laid, which so hardly depend on the start.
 const SETTLED: [f64; 2] = [0.05, 0.4];
 /// Largest residual over the depth, coarse and fine.
 pub(super) const RESIDUAL_TOLERANCES: [f64; 2] = [1e-5, 1e-6];
-/// Stiffness: of an answer, and where one only searches.
+/// Relative tolerance of the stiffness `dN/d(approach)`: final, and during a search.
 pub(super) const NEARLY: [f64; 2] = [2e-3, 0.05];
 /// Strips of the finer solution for each of the coarser.
 const HALVES: f64 = 2.0;

@@ -1,4 +1,4 @@
-//! From the strip or element solution to a contact: extrapolated values with error bars.
+//! Solution of the normal problem, from strips or elements to a contact: extrapolated values with error bars.
 
 use std::sync::Arc;
 
@@ -12,14 +12,14 @@ use super::outline;
 use super::patch::Patch;
 use super::strip_system::Factors;
 
-/// What is prescribed.
+/// Normal constraint: load or approach.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Prescribed {
     Approach(f64),
     Load(f64),
 }
 
-/// A solution of either kind.
+/// Patches solved by strips or by elements.
 #[derive(Debug, Clone)]
 pub(super) struct SolvedPatches {
     pub(super) patches: Vec<Patch>,
@@ -73,7 +73,7 @@ pub(super) fn areas(level: &ElementGrid) -> Vec<Patch> {
     outline::patches(level).into_iter().map(Patch::new).collect()
 }
 
-/// A solution, a coarser one, and what they belong to.
+/// Coarse and fine solution, for extrapolation and error bars.
 pub(super) struct SolvedPair {
     pub(super) coarse: SolvedPatches,
     pub(super) fine: SolvedPatches,

@@ -1,5 +1,6 @@
 //! The normal solver: overlap of the undeformed bodies, elements on two lattices, then strips laid into what
-//! these find. Each way checks the other; where the strips do not settle, finer elements speak.
+//! these find. Strip and element solutions are checked against each other; where the strips do not converge, finer
+//! elements are the fallback.
 
 use crate::check;
 use crate::gap::Gap;

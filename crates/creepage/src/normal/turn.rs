@@ -1,4 +1,4 @@
-//! Axes along a contact area.
+//! Rotation of the axes along a contact area that lies askew.
 //!
 //! Strips are rectangles: in an area that lies askew to rolling, as that of a flange of a yawed wheel, their
 //! ends are stairs, and so slender ones err by per cents. Elastic half-spaces have no direction: such an area

@@ -1,4 +1,4 @@
-//! The units in which rolling on a contact of any shape is of order one.
+//! Units of rolling on a contact of any shape, in which its quantities are of order one.
 
 use super::contact::NormalContact;
 use crate::Scaling;

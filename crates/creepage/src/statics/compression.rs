@@ -1,4 +1,4 @@
-//! Two unlike bodies of revolution pressed together with friction, load step by load step.
+//! Compression of two unlike bodies of revolution with friction, load step by load step.
 //!
 //! Pressure alone would move the surfaces against each other (2.11a,b); friction resists, and acts back
 //! on the pressure (2.15c). All is symmetric about the axis. With `beta = kappa/(1 - sigma)`, pressure

@@ -1,4 +1,4 @@
-//! Two bodies in contact, shifted to and fro: what they did before decides where they slip.
+//! Path of tangential shifts to and fro (Mindlin and Deresiewicz): what the bodies did before decides where they slip.
 
 use super::partial_slip::{power_deficit, radius};
 use super::{PartialSlipError, shift_compliances};
@@ -15,7 +15,7 @@ pub enum ShiftAxis {
     Y,
 }
 
-/// Where a step of a path ends.
+/// End of a step of a path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ShiftEnd {
     /// At a tangential force of the upper body on the lower (N).

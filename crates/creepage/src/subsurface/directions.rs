@@ -1,4 +1,4 @@
-//! The integral over the directions of the surface.
+//! Quadrature over the directions of the surface: sums over equal steps, a double exponential rule where the integrand is sharp.
 //!
 //! The integrand is periodic and, away from the edge of the contact, smooth: sums over equal
 //! steps converge geometrically, and are halved until two agree. Close to the edge, beside it at

@@ -1,4 +1,4 @@
-//! The largest of a measure of stress in a block, and where it sits.
+//! Search for the largest value of a measure of stress in a block, and its place.
 
 use rayon::prelude::*;
 

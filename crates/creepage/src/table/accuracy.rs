@@ -1,4 +1,4 @@
-//! The error of a table against its theory.
+//! Accuracy of a table against its theory.
 
 /// Distribution of an error.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

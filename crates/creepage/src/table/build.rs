@@ -1,4 +1,4 @@
-//! Building a table.
+//! Construction of a table: the theory at all nodes, in parallel, and the table's measured error.
 
 use crate::{Contact, Ellipse, Theory};
 

@@ -1,11 +1,11 @@
-//! Why a table cannot be built.
+//! Errors of building a table.
 
 use crate::InvalidValue;
 
 #[cfg(doc)]
 use super::spec::Spec;
 
-/// Why a table cannot be built.
+/// Error of a table's build.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BuildError<E: std::error::Error> {
     /// A number of the [`Spec`] makes no sense.

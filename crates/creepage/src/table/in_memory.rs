@@ -1,4 +1,4 @@
-//! A table in memory.
+//! Table in memory, with its provenance.
 
 use crate::InvalidValue;
 
@@ -9,7 +9,7 @@ use super::hermite::Angle;
 use super::slopes::{self, Node};
 use super::values::{Intervals, Values};
 
-/// Where a table comes from.
+/// Provenance of a table.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Provenance {
     /// Name of the theory.

@@ -1,4 +1,4 @@
-//! Measures the error of a table when it is built.
+//! Measurement of a table's error when it is built.
 
 use crate::{Contact, Ellipse, Theory};
 use rayon::prelude::*;
@@ -18,7 +18,7 @@ const SHARED: usize = 24;
 /// Errors of force and moment.
 type Errors = Vec<[f64; 2]>;
 
-/// What is measured, and who hears of every place.
+/// Measurement of a table's error, with its progress callback.
 pub(crate) struct Measure<'a, P> {
     pub(crate) table: &'a Table,
     pub(crate) prepare: P,

@@ -1,4 +1,4 @@
-//! Derivatives of theories that know their force only.
+//! Difference quotients for theories that give their force only.
 
 use super::Jacobian;
 use crate::Creepage;

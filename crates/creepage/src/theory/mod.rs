@@ -1,4 +1,4 @@
-//! What every theory of rolling contact can be asked.
+//! Traits of every theory of rolling contact: [`Theory`], prepared for a contact, and [`Solved`], its solution.
 //!
 //! A theory is prepared once for a [`Contact`] and asked many times: [`Theory::solve`] gives a
 //! [`Solution`], [`Theory::solved`] keeps the solved contact for further questions ([`Solved`]).
@@ -24,7 +24,7 @@ use crate::contact::Contact;
 use crate::coulomb::ElementField;
 use crate::creepage::{Creepage, Force};
 
-/// Whether a force may be trusted.
+/// Trustworthiness of a force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Status {
@@ -60,7 +60,7 @@ impl Status {
     }
 }
 
-/// What a solution cost.
+/// Cost of a solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Statistics {
     /// Steps of the theory's iteration: sweeps over the strips, Newton steps. Zero for a theory in
@@ -147,7 +147,7 @@ pub trait Theory: Send + Sync {
     }
 }
 
-/// A number that only one theory gives, such as the value of its functional.
+/// Diagnostic number that only one theory gives, such as the value of its functional.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Diagnostic {
     /// Its key in `report.json`.

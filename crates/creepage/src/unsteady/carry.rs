@@ -1,4 +1,4 @@
-//! Rolling that goes on on other areas: a contact that moves over its bodies, grows, splits or joins.
+//! Transfer of a rolling contact's state to other areas: a contact that moves over its bodies, grows, splits or joins.
 //!
 //! What a contact remembers are displacements of the surfaces. On other areas those of the tractions before are
 //! computed at the new points, by the same sums over elements as everywhere: tractions are carried, displacements

@@ -1,4 +1,4 @@
-//! What does not change while the contact rolls: elements, and the displacements by their tractions.
+//! Elements and influence of a rolling contact: what does not change from step to step.
 
 use crate::coulomb::forcing;
 use crate::coulomb::grid::Grid;

@@ -1,5 +1,4 @@
-//! Friction that follows the slip with a delay, and a layer that yields: what particles bring along from
-//! upstream.
+//! Friction with memory and yielding layers in transient rolling: what particles bring along from upstream.
 
 use super::elements::Elements;
 use super::history::{Ages, Past, TimeLevel, Weights};

@@ -1,4 +1,4 @@
-//! What is remembered of the past: displacements at the centres, and how the bodies moved.
+//! History of a rolling contact: displacements at the centres, and how the bodies moved, level by level.
 
 use std::collections::VecDeque;
 
@@ -27,8 +27,7 @@ pub(crate) struct TimeLevel {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Past(pub VecDeque<TimeLevel>);
 
-/// How a value at some distance back is interpolated: the factor of the present one, and levels with
-/// theirs.
+/// Interpolation weights at some distance back: the factor of the present one, and levels with theirs.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Weights {
     pub present: f64,

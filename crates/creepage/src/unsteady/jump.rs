@@ -1,4 +1,4 @@
-//! What happens between two steps: forces and loads that jump.
+//! Jumps of forces and loads between two steps.
 
 use super::history::Creep;
 use super::level::Stage;

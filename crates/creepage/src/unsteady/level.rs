@@ -1,4 +1,4 @@
-//! The contact on one grid of elements, rolled on step by step.
+//! Transient solver on one grid of elements, step by step.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -31,7 +31,7 @@ pub(crate) struct TransientLevel {
     pub predictor: Predictor,
 }
 
-/// Which equations hold.
+/// Stage of a step: the equations that hold.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Stage {
     /// The contact is shifted and does not roll; `begins` without traction.
@@ -42,7 +42,7 @@ pub(crate) enum Stage {
     Step { length: f64, scale: f64, smooth: bool },
 }
 
-/// What the solution of one grid adds up to, in the units of the nominal load.
+/// Force and power of one grid's solution, in the units of the nominal load.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Result {
     pub creep: Creep,

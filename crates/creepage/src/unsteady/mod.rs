@@ -1,4 +1,4 @@
-//! Rolling that is not steady: a contact that remembers.
+//! Transient rolling: a contact that remembers.
 //!
 //! With `q` the distance rolled, the slip of the upper body over the lower is (4.15b)
 //!

@@ -1,4 +1,4 @@
-//! Where the solution of a step is likely to be: tractions and creepages from which it is sought.
+//! Predictor of a step's solution: tractions and creepages from which it is sought.
 //!
 //! They go on as in the last step, in proportion to its length; on the finer grid comes what the coarser
 //! has found to differ from that, so that a jump of the motion is foreseen too.
@@ -9,7 +9,7 @@ use super::history::{Creep, Past};
 use crate::coulomb::influence::Tractions;
 use crate::coulomb::mesh::Mesh;
 
-/// How the contact changed in the last step.
+/// Change of the contact in the last step.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Trend {
     pub length: f64,

@@ -204,7 +204,7 @@ impl TransientLevel {
     }
 }
 
-/// How exactly a force is met, and by what step of the creepage its derivative is taken.
+/// Tolerance of a prescribed force, and the step of the creepage for its derivative.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Accuracy {
     pub tolerance: f64,

@@ -1,14 +1,14 @@
-//! The rigid motion on the way back from the present.
+//! Rigid motion of the bodies against each other, integrated backwards from the present.
 
 use super::history::{Ages, Past};
 
-/// The motion along a way, integrated: `xi`, `eta`, `chi`, and `chi` times the distance back.
+/// Rigid slip along a way, integrated: `xi`, `eta`, `chi`, and `chi` times the distance back.
 pub(crate) type RigidSlip = [f64; 4];
 
 /// The same of a unit of creepage in the present step: its length, and its moment.
 type Present = [f64; 2];
 
-/// How far the bodies have moved against each other since the end of every level.
+/// Rigid displacement of the bodies against each other since the end of every level.
 ///
 /// Between these ends it is interpolated as displacements are: for adhering particles the two are the
 /// same, and would differ to first order in the step if the creepage were the mean of a step here and

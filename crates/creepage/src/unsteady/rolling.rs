@@ -1,4 +1,4 @@
-//! The full theory of rolling that is not steady: a state that rolls on.
+//! Full theory of transient rolling on two grids: a state that rolls on.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use crate::friction_law::RollingFriction;
 use crate::theory::{Solution, Statistics, Status};
 use crate::{Contact, Creepage, FieldPoint, Region};
 
-/// What a step leads to, dimensionless in the units of the contact's nominal load.
+/// Result of a step, dimensionless in the units of the contact's nominal load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rolled {
     /// Distance rolled since the beginning, in units of `c`.
@@ -50,7 +50,7 @@ pub struct Rolling {
     pub(super) travel: RollingState,
 }
 
-/// Where the contact is, how it is loaded and how it last moved.
+/// State of rolling: where the contact is, how it is loaded and how it last moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct RollingState {
     pub distance: f64,

@@ -1,5 +1,5 @@
-//! The state of a contact, kept to go on from it again: for a step that a larger program rejects, or
-//! as bytes for a run that is interrupted.
+//! Saved state of a contact, to go on from it again: for a step that a larger program rejects, or as bytes for a run
+//! that is interrupted.
 
 use std::collections::VecDeque;
 
@@ -11,7 +11,7 @@ use super::predictor;
 use super::rolling::{Rolling, RollingState};
 use super::variational::{RollingVariational, State};
 
-/// What a contact remembers.
+/// Saved state of a contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Saved {
     tracks: [SavedTrack; 2],
@@ -30,7 +30,7 @@ struct SavedTrack {
     trend: Option<predictor::Trend>,
 }
 
-/// Why bytes are no state of a contact.
+/// Error of bytes that are no state of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SavedError {

@@ -1,5 +1,4 @@
-//! The slip of every element in one step: what the past drives, what the creepage does, and how it
-//! depends on the tractions.
+//! Slip equations of one step: what the past drives, what the creepage does, and how slip depends on the tractions.
 //!
 //! With `U` the displacements of a particle now, one step of elements upstream and two, and `W` the
 //! rigid slips over the ways between, averaged:

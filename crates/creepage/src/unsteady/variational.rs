@@ -1,5 +1,4 @@
-//! The numerical theory of chapter 5 for rolling that is not steady, the last proposal of the thesis
-//! (6.2).
+//! Transient rolling by the numerical theory of chapter 5, the last proposal of the thesis (6.2).
 //!
 //! The slip of (4.15b) has one term more than that of steady rolling, `-du/dq`. At the end of a step of
 //! length `h` it is a difference backwards between displacements at one place of the contact,
@@ -69,7 +68,7 @@ pub struct RollingVariational {
     state: State,
 }
 
-/// What the contact remembers.
+/// State that the contact remembers.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct State {
     pub distance: f64,

@@ -1,4 +1,4 @@
-//! An integrand of the user's own, `f(x, y, a, b, T, S)` of 5.22, in place of `T S`.
+//! User-defined integrand, `f(x, y, a, b, T, S)` of 5.22, in place of `T S`.
 
 use std::fmt;
 use std::sync::Arc;
@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::VariationalError;
 use super::integrand::{self, Integrand, IntegrandTerms, State};
 
-/// What an integrand may depend on.
+/// Arguments that an integrand may depend on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IntegrandArguments {
     /// `(x, y)` in units of `c = sqrt(a b)`.

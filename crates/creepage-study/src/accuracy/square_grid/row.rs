@@ -1,4 +1,4 @@
-//! Friction in one row of cells, the others held: a semismooth Newton method.
+//! Row solver of the square grid: friction in one row of cells, the others held, by a semismooth Newton method.
 
 use nalgebra::{DMatrix, DVector, Dyn, LU, Matrix2};
 

@@ -1,4 +1,4 @@
-//! Where a wheel stands under its loads: heights at one place, and how roll and yaw move it.
+//! Heights of a wheel under its loads at one place, and how roll and yaw move it.
 
 use creepage::normal::Resolution;
 use creepage_map::{HEIGHTS, HeightNode, ROLLS, TURNS, Turned, YAWS, interpolated};
@@ -13,7 +13,7 @@ const ASIDE: f64 = 2e-3;
 /// Where a contact hardly moves along the map, the nearer place is taken: so much of its distance counts.
 const FAR: f64 = 0.05;
 
-/// The wheel at one depth: height, load, and where the load acts on the rail, lateral and vertical.
+/// Wheel at one depth: height, load, and where the load acts on the rail, lateral and vertical.
 #[derive(Debug, Clone, Copy)]
 struct PressedDepth {
     z: f64,

@@ -1,4 +1,4 @@
-//! The error of a map on states drawn afresh: each solved by the full theory.
+//! Error of a map, measured on states drawn afresh: each solved by the full theory.
 
 use creepage_wheelset::{Load, PitchRate, SolvedWheel, WheelsetPose, WheelsetVelocity};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::{Builder, MapBuildError, MapStage, Wheel};
 
-/// Of one fresh state.
+/// Error of the map at one fresh state.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Missed {
     is_transition: bool,

@@ -1,5 +1,5 @@
-//! Builds the contact map of a wheelset: heights, then rolling nodes by bisection, then the error on states
-//! drawn afresh.
+//! Builder of the contact map of a wheelset: heights, then rolling nodes by bisection, then the error on states drawn
+//! afresh.
 
 mod heights;
 mod image;
@@ -32,7 +32,7 @@ use super::case::WheelsetCase;
 use super::error::{WheelsetFileError, section};
 use crate::case::CaseError;
 
-/// What map to build.
+/// Plan of a map: its ranges, resolutions and motions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MapPlan {
     /// Lateral positions of the wheelset from the track centre (m) that the map is to cover, to both sides; it
@@ -56,7 +56,7 @@ pub struct MapPlan {
     pub resolution: MapResolution,
 }
 
-/// How finely the contacts of a map are solved.
+/// Resolution of the contacts of a map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MapResolution {
     /// For a first look.
@@ -163,7 +163,7 @@ impl MapPlan {
     }
 }
 
-/// Why a map cannot be built.
+/// Error of a map's build.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum MapBuildError {
@@ -237,7 +237,7 @@ impl MapBuildError {
     }
 }
 
-/// How far a map is built.
+/// Stage of a map's build.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MapStage {
     /// Heights: places done, places in all.
@@ -248,7 +248,7 @@ pub enum MapStage {
     States(usize, usize),
 }
 
-/// Who hears how far a map is built; false stops it.
+/// Callback of a map's progress; false stops the build.
 pub type MapProgress<'a> = &'a (dyn Fn(MapStage) -> bool + Sync);
 
 /// What all parts of the builder know.

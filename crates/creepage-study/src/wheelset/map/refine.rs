@@ -1,4 +1,4 @@
-//! Rolling nodes along a wheel's places, halved until the middle of each cell is met.
+//! Refinement of a map: rolling nodes along a wheel's places, halved until the middle of each cell is met.
 
 use std::collections::BTreeMap;
 use std::sync::Mutex;
@@ -27,7 +27,7 @@ pub(super) struct Rolled {
 /// How far beside a node (m) it is pressed again, for the slopes of its geometry.
 const DIFFERENCE_STEP: f64 = 2e-5;
 
-/// The nodes of a wheel, by `y` in steps.
+/// Solved nodes of a wheel, by `y` in steps.
 type SolvedNodes = Mutex<BTreeMap<i64, Rolled>>;
 
 impl Builder<'_> {

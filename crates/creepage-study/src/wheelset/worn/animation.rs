@@ -1,4 +1,4 @@
-//! Worn profiles over the distance: one picture a stop.
+//! Animation of worn profiles over the distance: one picture a stop.
 
 use creepage_plot::{Frames, Label, Pen, Sheet};
 use creepage_rail::Role;

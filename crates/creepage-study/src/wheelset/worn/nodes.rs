@@ -1,4 +1,4 @@
-//! A profile that wears: its points, moved along the normal, and the depth that is taken off.
+//! Worn profile by its points: moved along the normal, and the depth that is taken off.
 
 use creepage_rail::{Profile, ProfileError, Role};
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,4 @@
-//! The results of wear over a distance: tables, profiles, JSON.
+//! Results of wear over a distance: tables, profiles, JSON.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

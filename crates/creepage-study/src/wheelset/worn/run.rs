@@ -1,4 +1,4 @@
-//! The loop of wear: contacts, depth, profiles, and again.
+//! Run of wear: contacts, depth, profiles, in adaptive steps.
 
 use std::path::Path;
 
@@ -21,7 +21,7 @@ const SAFE: f64 = 0.7;
 /// The volume that is gone is that of the contacts, to this part.
 const BALANCE: f64 = 1e-6;
 
-/// Who hears how far a run is: part of the distance, and the stops so far; false stops it.
+/// Callback of a run's progress: part of the distance, and the stops so far; false stops it.
 pub type WearProgress<'a> = &'a mut dyn FnMut(f64, &[WearStop]) -> bool;
 
 /// Wear over a distance: profiles at every stop, from new on.

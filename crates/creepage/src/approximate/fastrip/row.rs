@@ -1,4 +1,4 @@
-//! One strip before FASTSIM turns the traction in its slip area.
+//! Strip of FaStrip before FASTSIM turns the traction in its slip area.
 
 use crate::approximate::dual::Real;
 use crate::approximate::strip::Strip;

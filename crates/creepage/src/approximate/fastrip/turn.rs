@@ -1,4 +1,4 @@
-//! What FASTSIM's direction changes in the slip areas of eight strips.
+//! Direction of the traction in the slip areas of eight strips, by FASTSIM.
 
 use super::row::Row;
 use crate::approximate::dual::Real;

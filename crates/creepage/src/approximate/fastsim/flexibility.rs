@@ -1,4 +1,4 @@
-//! The flexibilities `L`, and the slopes of the traction that they give.
+//! Flexibilities `L` of FASTSIM's springs, and the slopes of the traction that they give.
 
 use std::f64::consts::PI;
 

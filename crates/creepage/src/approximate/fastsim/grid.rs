@@ -1,4 +1,4 @@
-//! Strips of equal width, eight at a time, each cut into cells over its own length.
+//! Grid of FASTSIM: strips of equal width, eight at a time, each cut into cells over its own length.
 
 use super::profile::Profile;
 use super::settings::Settings;

@@ -1,4 +1,4 @@
-//! The traction bound along a strip.
+//! Profile of the traction bound along a strip.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! The variants of FASTSIM.
+//! Settings of FASTSIM: its variants and its grid.
 
 use super::profile::Profile;
 

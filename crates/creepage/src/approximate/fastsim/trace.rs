@@ -1,4 +1,4 @@
-//! The march through one strip to one position.
+//! March of FASTSIM through one strip to one position.
 
 use super::flexibility::Slopes;
 use super::grid::Grid;

@@ -1,5 +1,5 @@
-//! The paradox of 4.3: without slip anywhere the linear theory dissipates, for its bodies lose elastic
-//! energy at the trailing edge, where their traction is infinite.
+//! Elastic energy lost at the trailing edge, the paradox of 4.3: without slip anywhere the linear theory dissipates, for
+//! the traction of its bodies is infinite at that edge.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::num::NonZeroUsize;

@@ -43,7 +43,7 @@ impl Coupling {
     }
 }
 
-/// What is prepared once for a grid.
+/// Coupled problem prepared on one grid.
 #[derive(Debug, Clone)]
 pub(super) struct CoupledGrid {
     pub normal: Normal,
@@ -51,7 +51,7 @@ pub(super) struct CoupledGrid {
     slip_by_elements: Vec<[f64; 2]>,
 }
 
-/// What is solved on a grid.
+/// Problem to be solved on a grid.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CoupledProblem<'a> {
     pub hertz: &'a Grid,
@@ -62,14 +62,14 @@ pub(super) struct CoupledProblem<'a> {
     pub side: f64,
 }
 
-/// What a grid is solved from.
+/// Warm start of a grid.
 pub(super) struct CoupledWarmStart<'a> {
     pub pressed: PressedArea,
     /// The tractions of the coarser grid, if there is one.
     pub coarser: Option<&'a State>,
 }
 
-/// One grid solved.
+/// Solution on one grid.
 #[derive(Debug, Clone)]
 pub(super) struct CoupledState {
     pub grid: Grid,

@@ -1,5 +1,4 @@
-//! Unlike bodies, coupled: the tangential tractions act back on the pressure and on the contact
-//! area.
+//! Coupled theory of unlike bodies: the tangential tractions act back on the pressure and on the contact area.
 //!
 //! Between bodies with `kappa` not zero pressure adds to the slip (6.4), and tangential traction to
 //! the normal displacement difference (2.15c):

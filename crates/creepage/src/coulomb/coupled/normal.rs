@@ -1,5 +1,5 @@
-//! The normal problem of the coupled solution: strips with free ends, pressed into a
-//! paraboloid to which the tangential tractions add.
+//! Normal problem of the coupled solution: strips with free ends, pressed into a paraboloid to which the tangential
+//! tractions add.
 //!
 //! Lengths are in units of `c`, pressures in units of the frictionless peak, displacements in
 //! units of `(1 - sigma) p_0 c / G`.
@@ -19,7 +19,7 @@ const SHORTEST: f64 = 1e-3;
 /// Largest residual of the strips' displacements, and of the load over itself.
 const RESIDUAL_TOLERANCE: f64 = 1e-8;
 
-/// An area and its pressure.
+/// Contact area with its pressure.
 #[derive(Debug, Clone)]
 pub(super) struct PressedArea {
     pub strips: Vec<Strip>,
@@ -75,7 +75,7 @@ impl PressedArea {
     }
 }
 
-/// What is prepared once.
+/// Normal problem, prepared once.
 #[derive(Debug, Clone)]
 pub(super) struct Normal {
     pub ellipse: Ellipse,
@@ -187,7 +187,7 @@ impl Normal {
         Some(self.laid(&drawn))
     }
 
-    /// The strips laid anew between the tips.
+    /// The strips laid again between the tips.
     fn laid(&self, start: &PressedArea) -> PressedArea {
         let mut pressed = start.clone();
         for (strip, borders) in pressed.strips.iter_mut().zip(self.borders.windows(2)) {

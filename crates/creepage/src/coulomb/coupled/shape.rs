@@ -1,4 +1,4 @@
-//! How area and pressure differ from Hertz's: smooth functions of the place.
+//! Map of the Hertz ellipse on the coupled area, and the ratio of the pressures: smooth functions of the place.
 
 use std::sync::Arc;
 

@@ -48,7 +48,7 @@ use crate::coulomb::resolution::Resolution;
 use crate::ellipse::Ellipse;
 use crate::numerics::anderson::AndersonAcceleration;
 
-/// Why there is no solution of gross sliding.
+/// Error of gross sliding without a solution.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SlidingError {
@@ -56,7 +56,7 @@ pub enum SlidingError {
     #[error(transparent)]
     Invalid(#[from] InvalidValue),
     /// Pressure and area were still changing after the last turn.
-    #[error("pressure and area do not settle: the last turn changed them by {change:e}")]
+    #[error("pressure and area do not converge: the last iteration changed them by {change:e}")]
     NotSettled {
         /// The last change, over `c` and the peak pressure.
         change: f64,

@@ -16,7 +16,7 @@ const REFINEMENTS: usize = 3;
 /// Once is enough for a search, whose steps are corrected by what they lead to.
 const OF_SEARCH: usize = 1;
 
-/// A change of all tractions, and the room to find it.
+/// Newton's linear system: the change of all tractions, and work arrays.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Equations {
     /// Right-hand side of the two equations of each element, interleaved.

@@ -49,7 +49,7 @@ const MIXING_BELOW: f64 = 0.02;
 /// Steps after which they are mixed in any case.
 const MAX_PLAIN_ROUNDS: usize = 40;
 
-/// How an iteration ended.
+/// Outcome of an iteration.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Outcome {
     pub converged: bool,
@@ -58,7 +58,7 @@ pub(crate) struct Outcome {
     pub factorizations: usize,
 }
 
-/// Tractions and slip of one grid, and the matrices that improve them.
+/// State of the iteration on one grid: tractions, slip, and the factored matrices.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct State {
     /// What drives the slip, to be set before [`State::solve`].

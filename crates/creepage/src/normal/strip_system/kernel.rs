@@ -1,4 +1,4 @@
-//! Displacement by a strip whose pressure vanishes as a root at both ends.
+//! Kernel of the strip method: displacement by a strip whose pressure vanishes as a root at both ends.
 //!
 //! For the pressure `sqrt(1 - s^2) U_k(s)`, with Chebyshev's polynomials of the second kind, on a
 //! strip between two `y`, the integral over `y` is done in closed form and leaves

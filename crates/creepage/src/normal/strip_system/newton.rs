@@ -8,7 +8,7 @@ use super::strip::Strip;
 use super::system::{Depth, Step, System, points};
 use crate::numerics::lu::Lu;
 
-/// What is to be solved, in the solver's units.
+/// Problem of the strip system, in the solver's units.
 #[derive(Clone, Copy)]
 pub(crate) struct StripProblem<'a> {
     pub(crate) depth: Depth<'a>,
@@ -30,7 +30,7 @@ impl StripProblem<'_> {
     }
 }
 
-/// Strips that touch all along, in the solver's units.
+/// Solution of the strip system, in the solver's units: strips that touch all along.
 #[derive(Debug, Clone)]
 pub(crate) struct StripSolution {
     pub(crate) strips: Vec<Strip>,
@@ -41,7 +41,7 @@ pub(crate) struct StripSolution {
     pub(crate) factors: Arc<Factors>,
 }
 
-/// Where the iteration stopped, and by how much it would next have the logarithms of the half
+/// Failure of the iteration: where it stopped, and by how much it would next have the logarithms of the half
 /// lengths fall.
 #[derive(Debug, Clone)]
 pub(crate) struct StripFailure {
@@ -118,8 +118,8 @@ impl<'a> Search<'a> {
         size.min(SAFETY * self.left * size) < self.question.enough
     }
 
-    /// A step after which nothing is evaluated any more, and how the load follows the depth: by the last
-    /// matrix, if that is of a place near enough.
+    /// Final quasi-Newton step without a residual check, and the derivative of the load by the depth: both by the
+    /// last matrix, if that belongs to a point close enough.
     fn last_step(&mut self) -> Option<StripSolution> {
         let known = self.factors.take();
         let known = known.filter(|factors| factors.distance(&self.system) < self.question.nearly);
@@ -214,7 +214,7 @@ impl<'a> Search<'a> {
         part < FAST || left * part.powi(OLD_STEPS) < self.question.enough
     }
 
-    /// A damped step, where that helps; it is dear, so there are few.
+    /// Levenberg-Marquardt step as a fallback, few times, for it forms the normal equations.
     fn damp(&mut self) -> bool {
         const MAX_DAMPED_STEPS: usize = 2;
         const STRIPS: usize = 40;
@@ -253,7 +253,7 @@ fn improve(step: &mut DVector<f64>, taken: &[DVector<f64>]) {
     }
 }
 
-/// The factored matrix of some system.
+/// LU factors of a strip system's matrix.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Factors {
     lu: Lu,

@@ -1,4 +1,4 @@
-//! Displacement by what lies between a strip's side and the line through a point, from a table.
+//! Table of the strip kernel: displacement by what lies between a strip's side and the line through a point.
 //!
 //! With `e` the distance of the side from that line and `d = X - s`, the integrand of a strip is the
 //! difference of `ln(e + sqrt(e^2 + d^2))` between its two sides, so that its integrals are those of
@@ -76,7 +76,7 @@ impl Places {
     }
 }
 
-/// `G_k`, and the derivatives of their sum weighted with pressures.
+/// Sums `G_k` of sides, and the derivatives of their sum weighted with pressures.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SideSums<const T: usize> {
     pub(super) value: [Lanes; T],

@@ -1,4 +1,4 @@
-//! A strip along rolling and its pressure; the highest of several.
+//! Strip along rolling and its pressure; the peak of several.
 
 use super::kernel::profile;
 use super::rules::MAX_TERMS;

@@ -20,7 +20,7 @@ use strip_layout::{Units, centre, laid, patches};
 pub(super) use strip_layout::most;
 pub(super) use waves::terms;
 
-/// What is asked of strips.
+/// Options of the strip method.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StripOptions {
     /// The load (N), where that is prescribed and not the approach.
@@ -52,12 +52,11 @@ impl StripOptions {
 
 /// Solves from patches close by.
 ///
-/// A tip laid too far out leaves its strip nothing to touch: the strip shrinks to nothing, and
-/// the strips are laid anew with the tip drawn in. One laid too far inwards bears what the edge of a punch
-/// does, or the bodies overlap beyond it: it is pushed out. Where the ends found put a tip elsewhere than
-/// it was laid, they are laid anew too. Areas that come to touch are joined, and parted at a waist that
-/// vanishes.
-/// A matrix that is known of like strips close by is where Newton's method begins.
+/// Active-set iteration over the patches. Where a tip lies too far out, its strip shrinks to nothing: the patch is
+/// shrunk, and the strips are laid again. Where a tip lies too far inwards, its strip bears the pressure of a punch's
+/// edge, or the bodies overlap beyond it: the patch is grown. Strips are laid again too where their ends put a tip
+/// elsewhere than it was laid. Patches that come to touch are merged, and split at a waist that vanishes.
+/// Newton's method begins with the matrix of like strips close by, where one is known.
 ///
 /// An area that lies askew is pressed in axes along it.
 pub(super) fn solve(
@@ -175,7 +174,7 @@ fn found(
     }
 }
 
-/// How often strips are laid anew because a tip lies elsewhere.
+/// Most re-layouts of the strips because a tip lies elsewhere.
 const SETTLED: usize = 2;
 
 /// Whether a tip that was found lies away from where it was laid by a part of its strip's width.

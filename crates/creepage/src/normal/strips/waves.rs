@@ -1,4 +1,5 @@
-//! Whether strips follow the waves of a gap: by enough polynomials along them, and closely enough across.
+//! Resolution check: whether strips follow the waves of a gap, by enough polynomials along them, and closely enough
+//! across.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! What particles bring along to a cell: traction, friction and slip where they were before.
+//! Particles that arrive at a cell: traction, friction and slip where they were before.
 
 use super::super::history::TimeLevel;
 use super::super::particle::BISECTIONS;

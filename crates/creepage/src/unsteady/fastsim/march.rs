@@ -1,10 +1,10 @@
-//! One step of FASTSIM at a creepage: every particle from where it was to the cell where it is.
+//! March of one transient step of FASTSIM at a creepage: every particle from where it was to the cell where it is.
 
 use super::super::history::{Ages, Creep, TimeLevel};
 use super::{RollingFastsim, Strip};
 use crate::approximate::fastsim::friction_bound::{Step, Walk};
 
-/// What tractions add up to.
+/// Force and moment of tractions.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Sum {
     pub force: [f64; 3],
@@ -13,7 +13,7 @@ pub(super) struct Sum {
     pub dissipation: f64,
 }
 
-/// A step that is being taken.
+/// March of one step.
 pub(super) struct March<'a> {
     pub of: &'a RollingFastsim,
     pub ages: Ages,

@@ -1,5 +1,5 @@
-//! FASTSIM that is not steady: the traction of a particle grows on its way as its slip asks for,
-//! whatever others do, and is cut off at its bound.
+//! Transient FASTSIM: the traction of a particle grows on its way as its slip asks for, whatever others do, and is cut
+//! off at its bound.
 //!
 //! With the flexibilities `L` of steady FASTSIM, `s = w + L (dX/dx - dX/dq)`: from the centre of one
 //! cell to that of the next the traction grows by the rigid slip over `L` in between, averaged over the
@@ -60,7 +60,7 @@ pub struct RollingFastsim {
     pub(super) travel: RollingState,
 }
 
-/// Where the contact is, how it is loaded and how it last moved.
+/// State of rolling: where the contact is, how it is loaded and how it last moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct RollingState {
     pub distance: f64,
