@@ -3,8 +3,7 @@
 use resvg::usvg::{Group, Node, Rect};
 
 use crate::clip::Frame;
-use crate::error::PlotError;
-use crate::raster::tree;
+use crate::raster::{PlotError, tree};
 
 /// The boxes around the texts and the shapes of a picture, in units of its sheet.
 #[derive(Debug, Clone)]

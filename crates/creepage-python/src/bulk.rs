@@ -98,14 +98,14 @@ pub(crate) fn row_forces<'py>(
     let (solver, cost) = solver(py, theory, options, table.as_deref())?;
     let inputs = Inputs::new(py, CONTACT, columns)?;
     let columns = inputs.columns()?;
-    let question = |row: usize| -> Result<BulkQuery, RowError> {
+    let query = |row: usize| -> Result<BulkQuery, RowError> {
         let [a_over_b, poisson, kappa_over_mu, xi, eta, chi] =
             columns.each_ref().map(|column| column.at(row));
         let contact = crate::options::contact(a_over_b, poisson, kappa_over_mu)?;
         Ok(BulkQuery { contact, creepage: Creepage::new(xi, eta, chi)?, touches: true })
     };
-    let one = |row: usize| solver.solve_one(&question(row)?);
-    let many = |rows: Range<usize>| solver.solve(rows.map(question).collect());
+    let one = |row: usize| solver.solve_one(&query(row)?);
+    let many = |rows: Range<usize>| solver.solve(rows.map(query).collect());
     let answers = run(py, inputs.shape.iter().product(), cost, one, many)?;
     let mut found = Columns::new(&[], solver.error_bars());
     for answer in answers {

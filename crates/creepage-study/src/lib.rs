@@ -66,7 +66,6 @@ mod heat;
 mod history;
 mod line;
 mod measured;
-mod plain_words;
 mod points;
 mod recent;
 mod report;
@@ -96,6 +95,7 @@ pub use bearing::{BearingCase, BearingCaseError, BearingFile, BearingReport, bea
 pub use bulk::{
     BulkAnswer, BulkCase, BulkColumn, BulkQuery, BulkRow, Reply, RowError, Solver, Varied,
 };
+pub use case::keys::plain_words;
 pub use case::{
     Case, CaseError, CaseFile, Given, SecondStart, SpecError, StaticsCase, StaticsError,
     StaticsFile, StaticsProblem, Sweep, SweepCase, json_schema, statics_json_schema,
@@ -128,7 +128,6 @@ pub use measured::{
     Fit, FitCaution, FitError, FitOptions, Fitted, FittedPoint, MeasuredError, MeasuredPoint,
     MeasuredPoints, UnreadRow,
 };
-pub use plain_words::plain_words;
 pub use report::{PerUnit, Quantity, Report, Unit, hertz_report, pressed_report};
 pub use series::{SeriesHead, SeriesRow, SweepRun, Tally, series_csv, series_json, series_netcdf};
 pub use solve::{SolveError, SolvedCase, solve};

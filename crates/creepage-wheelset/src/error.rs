@@ -139,7 +139,9 @@ pub enum WheelsetError {
         most: f64,
     },
     /// Height, roll or pitch rate do not follow from the rest.
-    #[error("[wheelset] no derivatives: the equilibrium is singular, what it finds does not follow from what is given")]
+    #[error(
+        "[wheelset] no derivatives: the equilibrium is singular, what it finds does not follow from what is given"
+    )]
     NotDifferentiable,
     /// Surfaces that vary along rolling, asked for what is not known of them.
     #[error(

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::comparison::{Comparison, Verdict};
-use crate::run::Made;
+use crate::item::Made;
 
 const HEADER: [&str; 7] = ["item", "quantity", "printed", "ours", "difference", "verdict", "note"];
 

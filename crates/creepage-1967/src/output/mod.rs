@@ -8,7 +8,7 @@ pub use agreement::agreement_text;
 use rayon::prelude::*;
 
 use crate::error::GalleryError;
-use crate::run::Made;
+use crate::item::Made;
 
 /// A file to be written.
 #[derive(Debug, Clone, PartialEq, Eq)]

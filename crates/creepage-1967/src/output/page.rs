@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use super::agreement::{SKETCHES, difference, summary};
 use crate::comparison::Comparison;
+use crate::item::Made;
 use crate::rows::{rows, states};
-use crate::run::Made;
 
 const STYLE: &str = include_str!("gallery.css");
 const TITLE: &str = "Kalker 1967, computed again";

@@ -5,7 +5,7 @@ use std::fmt;
 use creepage::Status;
 use creepage_study::{Caution, Reply};
 
-use super::field::NoCase;
+use super::columns::NoCase;
 use crate::outcome::Outcome;
 
 /// Counts of rows by their outcome.

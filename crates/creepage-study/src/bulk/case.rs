@@ -161,7 +161,7 @@ fn bodies(base: &Sections, varied: &[Varied]) -> Option<Hertz> {
 impl BulkRow {
     /// What it asks a theory.
     #[must_use]
-    pub fn question(&self) -> BulkQuery {
+    pub fn query(&self) -> BulkQuery {
         let (contact, creepage, touches) = (self.contact.clone(), self.creepage, self.touches);
         BulkQuery { contact, creepage, touches }
     }

@@ -2,7 +2,7 @@
 //! history of creepages and normal forces.
 //!
 //! A [`BulkCase`] is prepared from a case file and the quantities that vary ([`Varied`]); it makes a
-//! [`BulkRow`] of the values of a row, which asks a [`BulkQuery`]. A [`Solver`] answers many questions
+//! [`BulkRow`] of the values of a row, which asks a [`BulkQuery`]. A [`Solver`] answers many queries
 //! at a time. The command, Python and C all come this way, so that their numbers are the same.
 
 mod answer;

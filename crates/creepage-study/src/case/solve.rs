@@ -4,8 +4,7 @@ use creepage::TheorySpec;
 use creepage::theory::UnknownTheory;
 use toml::{Table, Value};
 
-use super::similar::similar;
-use crate::plain_words::plain_words;
+use super::keys::{plain_words, similar};
 
 /// Error of `[solve]`, or of options outside a case file, that name no theory.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

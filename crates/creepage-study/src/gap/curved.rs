@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::case::{GapCase, LoadOrApproach};
 use super::error::GapCaseError;
-use super::solve;
+use super::solver::{fineness, not_pressed, pressed};
 use crate::solve::SolvedTheory;
 use crate::{CaseError, SolvedCase};
 
@@ -71,7 +71,7 @@ impl GapCase {
         }
         let (resolutions, _) = options.resolutions().map_err(CaseError::invalid("solve"))?;
         let roll = *resolutions.first().unwrap_or(&creepage::coulomb::Resolution::STANDARD);
-        let press = super::solver::fineness(&self.theory);
+        let press = fineness(&self.theory);
         let [x, y, spin] = self.given.creepage;
         let [wanted, lateral, moment] = self.given.force;
         if lateral.is_some() || moment.is_some() {
@@ -117,7 +117,7 @@ impl GapCase {
     ) -> Result<CurvedJson, GapCaseError> {
         let solved = rolling.solve(creepage).map_err(CaseError::invalid("creepage"))?;
         let CurvedForce { lateral, vertical, .. } = rolling.force(&solved);
-        let plane = solve::pressed(self, normal::Resolution::STANDARD)?;
+        let plane = pressed(self, normal::Resolution::STANDARD)?;
         Ok(CurvedJson {
             turn_rad: contact.turn(),
             vertical_n: contact.vertical() + vertical,
@@ -143,7 +143,7 @@ impl GapCase {
 
     fn not_curved(&self, error: CurvedError) -> GapCaseError {
         match error {
-            CurvedError::Normal(source) => solve::not_pressed(self, source),
+            CurvedError::Normal(source) => not_pressed(self, source),
             CurvedError::Value(invalid) => CaseError::invalid("contact")(invalid).into(),
             CurvedError::Inverse(source @ InverseError::NotReachable { .. }) => source.into(),
             other => GapCaseError::Curved { source: other },

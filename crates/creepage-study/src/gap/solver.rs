@@ -1,19 +1,16 @@
 //! Solver of cases of any shape, with a cache: what one case presses together, the next ones only roll.
 
-use std::sync::Arc;
-
+use super::case::{GapCase, LoadOrApproach};
+use super::error::GapCaseError;
+use crate::recent::Recent;
+use crate::solve::{SolvedTheory, in_si_units};
+use crate::{AnyCase, CaseError, Caution, SolveError, SolvedCase};
 use creepage::coulomb::{NonHertzian, Resolution};
 use creepage::gap::Gap;
 use creepage::normal::{self, NormalContact, NormalError};
 use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
 use creepage::{Contact, InvalidValue, SolidPair, Theory, TheorySpec};
-
-use super::case::{GapCase, LoadOrApproach};
-use super::error::GapCaseError;
-use super::solve;
-use crate::recent::Recent;
-use crate::solve::{SolvedTheory, in_si_units};
-use crate::{AnyCase, CaseError, Caution, SolveError, SolvedCase};
+use std::sync::Arc;
 
 /// Solves a case of any shape: the pressure, then rolling. For many cases use [`GapSolver`].
 ///
@@ -108,7 +105,7 @@ impl GapSolver {
         let (gap, pressed) = (case.gap.clone(), case.pressed);
         let asked = CacheKey { gap, pair: case.pair, pressed, resolution };
         self.contacts.of(&asked, || {
-            let areas = solve::pressed_together(case, resolution).map(Arc::new);
+            let areas = pressed_together(case, resolution).map(Arc::new);
             PreparedAreas { areas, theories: Recent::new(contacts_kept) }
         })
     }
@@ -129,7 +126,7 @@ pub(super) fn fineness(theory: &TheorySpec) -> normal::Resolution {
 impl PreparedAreas {
     /// The areas, if there are any.
     fn areas(&self, case: &GapCase) -> Result<&Arc<NormalContact>, GapCaseError> {
-        self.areas.as_ref().map_err(|error| solve::not_pressed(case, error.clone()))
+        self.areas.as_ref().map_err(|error| not_pressed(case, error.clone()))
     }
 
     /// The full theory for a contact on these areas.
@@ -173,7 +170,7 @@ impl GapCase {
             let creepage = self.given.creepage(scaling)?;
             SolvedTheory::new(theory, |theory| theory.solved(creepage))
         } else {
-            let reach = contact.areas().map_or(0.0, |areas| solve::reach(areas));
+            let reach = contact.areas().map_or(0.0, |areas| reach(areas));
             let constraints = self.given.constraints(scaling, reach)?;
             let prescribed = self.given.force.map(|force| force.is_some());
             SolvedTheory::try_new(theory, |theory| {
@@ -210,6 +207,49 @@ impl GapCase {
             },
         )
     }
+}
+
+/// As many rows along a roller, whose ends are short beside it, through every door.
+const ALONG_A_ROLLER: usize = 100;
+
+/// The bodies pressed together.
+pub(crate) fn pressed(
+    case: &GapCase,
+    resolution: normal::Resolution,
+) -> Result<NormalContact, GapCaseError> {
+    pressed_together(case, resolution).map_err(|source| not_pressed(case, source))
+}
+
+pub(super) fn pressed_together(
+    case: &GapCase,
+    resolution: normal::Resolution,
+) -> Result<NormalContact, NormalError> {
+    let fine = case.roller.and_then(|_| normal::Resolution::new(ALONG_A_ROLLER).ok());
+    let resolution = fine.unwrap_or(resolution);
+    match case.pressed {
+        LoadOrApproach::Load(load) => {
+            NormalContact::under_load(&case.gap, case.pair, load, resolution)
+        }
+        LoadOrApproach::Approach(approach) => {
+            NormalContact::at_approach(&case.gap, case.pair, approach, resolution)
+        }
+    }
+}
+
+/// The error of bodies that have no contact.
+pub(super) fn not_pressed(case: &GapCase, source: NormalError) -> GapCaseError {
+    let pressed = match case.pressed {
+        LoadOrApproach::Load(load) => format!("normal_force = {load}"),
+        LoadOrApproach::Approach(approach) => format!("approach = {approach}"),
+    };
+    GapCaseError::Normal { shape: case.shape.clone(), pressed, source }
+}
+
+/// The largest distance of the contact from the origin of coordinates (m), or a little more.
+pub(super) fn reach(contact: &NormalContact) -> f64 {
+    let largest = |[low, high]: [f64; 2]| low.abs().max(high.abs());
+    let extents = contact.patches().iter().map(normal::Patch::extent);
+    extents.map(|extent| largest(extent.x).hypot(largest(extent.y))).fold(0.0, f64::max)
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use creepage::unsteady::{Motion, Prescribed};
 use super::case::{RollCase, over};
 use super::error::{HistoryError, MotionError};
 use super::roller::HistoryMotion;
-use crate::case::similar::similar;
+use crate::case::keys::similar;
 
 /// Row of a history: a distance, and the motion of the bodies up to it from that of the row before.
 #[derive(Debug, Clone, Copy, PartialEq)]

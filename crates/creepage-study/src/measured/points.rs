@@ -5,7 +5,7 @@ use std::fmt;
 use csv::{ReaderBuilder, StringRecord, Trim};
 
 use crate::Component;
-use crate::case::similar::similar;
+use crate::case::keys::similar;
 
 /// Columns of the table.
 pub(crate) const CREEPAGE: [&str; 3] = ["longitudinal", "lateral", "spin"];

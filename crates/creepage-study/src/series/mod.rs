@@ -5,16 +5,14 @@ mod netcdf;
 mod record;
 mod run;
 mod table;
-mod tally;
 
 use crate::{Sweep, SweepCase};
 use creepage::variational::ChainCase;
 use creepage::{Creepage, Force, Region, Status};
 
 pub use netcdf::series_netcdf;
-pub use run::SweepRun;
+pub use run::{SweepRun, Tally};
 pub use table::{series_csv, series_json};
-pub use tally::Tally;
 
 /// One case of a series.
 #[derive(Debug, Clone, Copy, PartialEq)]

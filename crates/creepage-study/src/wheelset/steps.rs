@@ -14,7 +14,7 @@ use super::error::{WheelsetFileError, section};
 use super::report::wheelset_cautions;
 use super::steps_picture;
 use crate::Caution;
-use crate::case::similar::similar;
+use crate::case::keys::similar;
 
 /// Columns of a table of positions: the distance rolled (m), the place along the track (m) and the wheels' turn (rad)
 /// where surfaces vary along rolling, a wheel's own load (N), and what a wheelset is asked by.

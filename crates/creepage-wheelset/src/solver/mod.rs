@@ -13,7 +13,6 @@ mod pose_derivative;
 mod predictor;
 mod solution;
 mod start;
-mod stood;
 mod tangential;
 mod vertical_load;
 
@@ -24,8 +23,9 @@ use creepage_rail::{Position, Side, WheelsetOnTrack};
 
 use self::equilibrium::settle;
 use self::normal_contact::NormalSolver;
+pub use self::normal_contact::PressedContacts;
 use self::start::Start;
-pub use self::stood::PressedContacts;
+
 use self::tangential::Method;
 pub(crate) use self::vertical_load::{LoadLine, Target};
 use crate::error::WheelsetError;

@@ -1,16 +1,16 @@
 //! Normal contact of one wheel on its rail: its contacts and the pressure in each.
 
-use creepage::SolidPair;
-use creepage::gap::{Gap, Rolling};
-use creepage::normal::{self, NormalContact, NormalError};
-use creepage_rail::{Across, Contact, Position, Side, WheelsetOnTrack};
-
+use super::WheelsetSolver;
 use super::cross_patch;
 use super::excess::Excess;
 use crate::WheelsetError;
 use crate::pose::Patches;
 use crate::tilt::{Placed, distance};
 use crate::warm_start::LateralForceRatios;
+use creepage::SolidPair;
+use creepage::gap::{Gap, Rolling};
+use creepage::normal::{self, NormalContact, NormalError, Resolution};
+use creepage_rail::{Across, Contact, Position, Side, WheelsetOnTrack};
 
 /// Places across a contact at which the undeformed bodies are looked up.
 const PLACES: usize = 161;
@@ -276,6 +276,29 @@ impl PressedWheel<'_> {
                 * one.vertical_ratio(shares.of(&one.contact))
         };
         self.contacts.iter().map(of).sum::<f64>()
+    }
+}
+
+/// The contacts of a wheel with their pressures.
+pub type PressedContacts<'a> = Vec<(Contact<'a>, NormalContact)>;
+
+impl<'a> WheelsetSolver<'a> {
+    /// One wheel in a position, from its contacts in one nearby; without contacts where it hangs above its rail.
+    ///
+    /// # Errors
+    /// [`WheelsetError`] where wheel and rail do not meet as they should, or a contact has no pressure.
+    pub fn stand(
+        &self,
+        (side, position): (Side, Position),
+        resolution: Resolution,
+        near: &[(Contact<'_>, NormalContact)],
+    ) -> Result<PressedContacts<'a>, WheelsetError> {
+        let known =
+            near.iter().map(|(contact, normal)| PatchWarmStart::new(side, contact.spot(), normal));
+        let press = NormalSolver { resolution, follows: false, ..self.press };
+        let wheel = press.wheel(side, position, &known.collect::<Vec<_>>())?;
+        let contacts = wheel.contacts.into_iter();
+        Ok(contacts.map(|pressed| (pressed.contact, pressed.normal)).collect())
     }
 }
 

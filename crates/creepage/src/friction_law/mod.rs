@@ -23,13 +23,11 @@
 //! ```
 
 mod across;
-mod memory;
 mod rolling;
 mod thermal;
 
 pub use across::FrictionAcross;
-pub use memory::FrictionMemory;
-pub use rolling::RollingFriction;
+pub use rolling::{FrictionMemory, RollingFriction};
 pub use thermal::FrictionByTemperature;
 pub(crate) use thermal::Thermal;
 

@@ -1,14 +1,13 @@
 //! The solved normal contact of two bodies of any shape: its patches and their pressure.
 
-use std::sync::Arc;
-
-use crate::check;
-use crate::solid::SolidPair;
-
 use super::lattice::Lattice;
 use super::patch::Patch;
 use super::patch_strip::{Band, Moments};
 use super::strip_system::Factors;
+use crate::Scaling;
+use crate::check::{self, InvalidValue};
+use crate::solid::SolidPair;
+use std::sync::Arc;
 
 /// A number and how far the true one may lie from it.
 ///
@@ -311,5 +310,27 @@ impl NormalContact {
     #[must_use]
     pub fn pressure(&self, x: f64, y: f64) -> f64 {
         self.patches.iter().map(|patch| patch.pressure(x, y)).fold(0.0, f64::max)
+    }
+}
+
+/// Unit of slip over the largest traction bound in units of `G`: the elastic slip is of order one.
+pub(crate) const SLIP_UNIT: f64 = 0.5;
+
+impl NormalContact {
+    /// Units of creepage, force and position for a coefficient of friction: those of every theory
+    /// of rolling on this contact. The unit of length is a root of the area, that of slip half the
+    /// largest traction bound over the shear modulus.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless `friction` is finite and positive.
+    pub fn scaling(&self, friction: f64) -> Result<Scaling, InvalidValue> {
+        check::positive("friction", friction)?;
+        let traction = friction * self.peak_pressure().value;
+        Ok(Scaling {
+            length: (self.area().value / 3.0).sqrt(),
+            slip: SLIP_UNIT * traction / self.pair().shear_modulus(),
+            force: friction * self.load().value,
+            traction,
+        })
     }
 }

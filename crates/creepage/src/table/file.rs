@@ -10,9 +10,9 @@ use std::rc::Rc;
 
 use netcdf3::{DataSet, FileReader, FileWriter, InvalidDataSet, ReadError, Version, WriteError};
 
-use super::accuracy::{Accuracy, Spread};
 use super::axis::Axis;
 use super::in_memory::{Provenance, Table};
+use super::measure::{Accuracy, Spread};
 use super::spec::Spec;
 use super::values::{Intervals, Values};
 

@@ -2,10 +2,10 @@
 
 use crate::InvalidValue;
 
-use super::accuracy::Accuracy;
 use super::axis::{Axis, Logarithms, Window};
 use super::coordinates::Coordinates;
 use super::hermite::Angle;
+use super::measure::Accuracy;
 use super::slopes::{self, Node};
 use super::values::{Intervals, Values};
 

@@ -5,14 +5,12 @@
 
 mod areas;
 mod constraints;
-mod differences;
 mod facts;
 pub(crate) mod field;
 mod spec;
 
 pub use areas::AreaTheory;
 pub use constraints::{Constraints, InverseError};
-pub(crate) use differences::differences;
 pub use facts::TheoryFacts;
 pub use field::{FieldPoint, Patch, Region};
 pub use spec::{
@@ -259,4 +257,25 @@ impl<T: Theory> Solved for Stateless<'_, T> {
     fn regions(&self, positions: &[[f64; 2]]) -> Vec<Region> {
         self.theory.regions(self.creepage, positions)
     }
+}
+
+/// The derivative of a force by central differences of `part` of each component of the creepage, or of
+/// one where that is smaller.
+pub(crate) fn differences(
+    creepage: Creepage,
+    part: f64,
+    force: impl Fn(Creepage) -> [f64; 3],
+) -> Jacobian {
+    let at = creepage.components();
+    let columns = [0, 1, 2].map(|k| {
+        let step = part * at[k].abs().max(1.0);
+        let [ahead, behind] = [step, -step].map(|step| {
+            let mut moved = at;
+            moved[k] += step;
+            let [xi, eta, chi] = moved;
+            force(Creepage { xi, eta, chi })
+        });
+        [0, 1, 2].map(|i| (ahead[i] - behind[i]) / (2.0 * step))
+    });
+    std::array::from_fn(|i| std::array::from_fn(|k| columns[k][i]))
 }

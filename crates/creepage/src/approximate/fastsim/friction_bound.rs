@@ -11,7 +11,7 @@ use crate::contact::Contact;
 use crate::friction_law::{RollingFriction, Thermal};
 use crate::layer::Plasticity;
 
-use super::profile::Profile;
+use super::grid::Profile;
 
 /// What bounds the traction besides the pressure.
 #[derive(Debug, Clone, Copy)]

@@ -2,7 +2,7 @@
 
 use super::flexibility::Slopes;
 use super::grid::Grid;
-use super::profile::Profile;
+use super::grid::Profile;
 use crate::Ellipse;
 
 /// A position within the contact.

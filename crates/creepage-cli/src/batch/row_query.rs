@@ -3,9 +3,7 @@
 use creepage_study::{BulkQuery, BulkRow, DamageWanted};
 use csv::ByteRecord;
 
-use super::case_columns::CaseColumns;
-use super::columns::Columns;
-use super::field::NoCase;
+use super::columns::{CaseColumns, Columns, NoCase};
 
 /// Reader of a row's query from the table's columns.
 #[derive(Debug, Clone)]
@@ -27,7 +25,7 @@ impl Ask {
     /// What a row asks.
     pub(super) fn of(&self, row: &ByteRecord) -> Result<RowQuery, NoCase> {
         match self {
-            Self::Dimensionless(columns) => columns.question(row).map(RowQuery::Dimensionless),
+            Self::Dimensionless(columns) => columns.query(row).map(RowQuery::Dimensionless),
             Self::Case(columns) => columns.row(row).map(RowQuery::Case),
         }
     }
@@ -51,10 +49,10 @@ impl Ask {
 }
 
 impl RowQuery {
-    pub(super) fn question(&self) -> BulkQuery {
+    pub(super) fn query(&self) -> BulkQuery {
         match self {
-            Self::Dimensionless(question) => question.clone(),
-            Self::Case(row) => row.question(),
+            Self::Dimensionless(query) => query.clone(),
+            Self::Case(row) => row.query(),
         }
     }
 }
