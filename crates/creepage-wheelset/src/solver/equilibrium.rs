@@ -46,7 +46,7 @@ const MAX_RESIDUAL_PART: f64 = 0.5;
 struct Stage {
     resolution: normal::Resolution,
     method: Method,
-    enough: f64,
+    load_tolerance: f64,
 }
 
 /// Solves a wheelset that stands, moves and is loaded like this, by one method.
@@ -172,9 +172,9 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
         let by = (stage.method, &self.start.friction[..]);
         let rollings = Rolling::all(&wheels, self.solver, self.travel.speed, by)?;
         let is_last = self.stages.len() == 1;
-        let enough = if is_last { tangential::BALANCED } else { ROUGHLY_BALANCED };
+        let moment_tolerance = if is_last { tangential::BALANCED } else { ROUGHLY_BALANCED };
         let radius = self.solver.press.running.wheelset().radius();
-        let guess = (self.start.pitch, enough);
+        let guess = (self.start.pitch, moment_tolerance);
         let turning = match tangential::turning(&rollings, self.travel, radius, guess) {
             Ok(turning) => turning,
             Err(error) => return self.refuse(error).map(|()| None),
@@ -269,7 +269,7 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
         let is_first = self.is_near && self.iterate.is_none();
         let may_defer = (!is_cheap || is_first) && !has_stepped && !self.is_scattered;
         let is_met = match self.stages[..] {
-            [Stage { enough, .. }, _, ..] => residual < NEXT_STAGE_BELOW * enough,
+            [Stage { load_tolerance, .. }, _, ..] => residual < NEXT_STAGE_BELOW * load_tolerance,
             _ => self.is_met(wheels, &self.start.shares),
         };
         may_defer && residual > self.friction_changed && !is_met
@@ -349,9 +349,9 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
             self.trial.iter().map(|place| Place::new(place.side, place.position)).collect();
         self.iterate = Some(Iterate { places, lines, residual, is_rolled });
         self.step_on()?;
-        if let [Stage { enough, .. }, _, ..] = self.stages[..]
+        if let [Stage { load_tolerance, .. }, _, ..] = self.stages[..]
             && is_rolled
-            && (residual < enough || self.is_scattered)
+            && (residual < load_tolerance || self.is_scattered)
         {
             // The next stage has forces of its own, which are compared with none of this one.
             self.stages.remove(0);
@@ -458,8 +458,12 @@ fn forces(wheels: &[PressedWheel<'_>], shares: &LateralForceRatios) -> Vec<(Side
 fn stages(method: Method, resolution: normal::Resolution) -> Vec<Stage> {
     use creepage::approximate::non_hertzian::Simplified;
     use creepage::coulomb::Resolution;
-    let last = Stage { resolution, method, enough: 0.0 };
-    let coarse = |method, enough| Stage { resolution: normal::Resolution::COARSE, method, enough };
+    let last = Stage { resolution, method, load_tolerance: 0.0 };
+    let coarse = |method, load_tolerance| Stage {
+        resolution: normal::Resolution::COARSE,
+        method,
+        load_tolerance,
+    };
     match method {
         Method::Exact(_) => vec![
             coarse(Method::Simplified(Simplified::Fastsim, [20, 10]), 0.01),

@@ -24,7 +24,7 @@ pub(crate) struct FreeVariables {
 
 /// A sum over both wheels of something that they do.
 struct Kept {
-    /// Its place among [`WheelLoads`](super::partial::Acts).
+    /// Its place among [`WheelLoads`](super::pose_derivative::WheelLoads).
     what: usize,
     share: WheelWeights,
 }

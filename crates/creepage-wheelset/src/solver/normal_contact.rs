@@ -85,7 +85,7 @@ impl<'a> NormalSolver<'a> {
     /// its rail.
     ///
     /// Contacts in one plane are one system; those in planes of their own feel each other as
-    /// [`apart`] has it.
+    /// [`cross_patch`] has it.
     pub(crate) fn wheel(
         &self,
         side: Side,

@@ -349,24 +349,29 @@ pub(crate) struct Turning<'r> {
 }
 
 /// Rolls in a motion with its pitch rates: given ones, or those at which friction balances the torque, or
-/// pulls as wanted, to `enough` of what it could.
+/// pulls as wanted, to `moment_tolerance` of what it could.
 pub(crate) fn turning<'r>(
     rollings: &'r [Rolling<'_, '_>],
     travel: &WheelsetVelocity,
     radius: f64,
-    (guess, enough): ([PitchState; 2], f64),
+    (guess, moment_tolerance): ([PitchState; 2], f64),
 ) -> Result<Turning<'r>, WheelsetError> {
     match travel.pitch {
         PitchRate::Rigid(rate) => {
-            let search = PitchSearch { travel, rate, radius, guess: guess[0], enough };
+            let search = PitchSearch { travel, rate, radius, guess: guess[0], moment_tolerance };
             let (motion, rolled, pitch) = search.run(rollings)?;
             Ok(Turning { motions: [motion; 2], rolled, pitch: [pitch; 2] })
         }
         PitchRate::Independent(rates) => {
             let count = rollings.iter().filter(|one| one.wheel.side == Side::Left).count();
             let (left, right) = rollings.split_at(count);
-            let search =
-                |k: usize| PitchSearch { travel, rate: rates[k], radius, guess: guess[k], enough };
+            let search = |k: usize| PitchSearch {
+                travel,
+                rate: rates[k],
+                radius,
+                guess: guess[k],
+                moment_tolerance,
+            };
             let (on_left, mut rolled, pitch_left) = search(0).run(left)?;
             let (on_right, more, pitch_right) = search(1).run(right)?;
             rolled.extend(more);
@@ -382,7 +387,7 @@ struct PitchSearch<'t> {
     rate: Option<f64>,
     radius: f64,
     guess: PitchState,
-    enough: f64,
+    moment_tolerance: f64,
 }
 
 impl PitchSearch<'_> {
@@ -453,7 +458,7 @@ impl PitchSearch<'_> {
         for _ in 0..Self::MAX_STEPS {
             let (motion, rolled, pitch) = self.at(rollings, search.at, before)?;
             let excess = self.excess(rollings, &rolled);
-            let is_found = excess.abs() < self.enough * most;
+            let is_found = excess.abs() < self.moment_tolerance * most;
             if is_found || search.is_spent(Self::NARROW * nominal) {
                 if !is_found && bracket.iter().any(|end| (search.at / end - 1.0).abs() < 1e-6) {
                     let (Drive::Torque(wanted) | Drive::Force(wanted)) = self.travel.drive;

@@ -28,8 +28,8 @@ pub(crate) struct SlipForcing {
     pub slip: Vec<[f64; 2]>,
     /// The spin in it, for positions between the elements.
     pub spin: f64,
-    /// How adhesion of each element gives way, and the derivative of that by the spin; none where it does
-    /// not: [`super::turning`].
+    /// Compliance of each element's adhesion, and its derivative by the spin; empty where adhesion is rigid:
+    /// [`super::spin_pole`].
     pub compliance: Vec<[f64; 2]>,
 }
 

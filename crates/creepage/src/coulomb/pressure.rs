@@ -65,7 +65,7 @@ impl Pressure {
     /// The unit of each element's traction, its bound, that makes displacements by [`Cuts`] slip;
     /// `slip_unit` is the unit of slip over the largest bound in units of `G`.
     ///
-    /// [`Cuts`]: super::cuts::Cuts
+    /// [`Cuts`]: super::boussinesq_cerruti::Cuts
     pub(crate) fn units(&self, slip_unit: f64) -> Vec<f64> {
         let scale = 1.0 / (PI * slip_unit);
         self.bounds.iter().map(|bound| scale * bound).collect()

@@ -112,8 +112,8 @@ impl ElementGrid {
         let start = if start.iter().any(|&p| p > 0.0) { start } else { depths.clone() };
         let pressed = complementarity::solve(&mut product, &depths, start, accuracy.residual);
         let unit = task.modulus * scale / length;
-        let stiffness = accuracy.stiffness.map_or(f64::NAN, |enough| {
-            flat_response(&mut product, &pressed.pressures, enough) * task.modulus * length
+        let stiffness = accuracy.stiffness.map_or(f64::NAN, |tolerance| {
+            flat_response(&mut product, &pressed.pressures, tolerance) * task.modulus * length
         });
         let mut level = Self {
             lattice: *lattice,
@@ -229,9 +229,9 @@ fn flat_response(product: &mut Product, pressed: &[f64], tolerance: f64) -> f64 
     // Contact pressures fall towards the edge where these rise: start from what is uniform.
     let (mut direction, mut image) = (rest.clone(), vec![0.0; pressed.len()]);
     let (mut sum, mut square) = (0.0, dot(&rest, &rest));
-    let enough = tolerance * tolerance * square;
+    let square_tolerance = tolerance * tolerance * square;
     for _ in 0..MAX_STEPS {
-        if square <= enough {
+        if square <= square_tolerance {
             break;
         }
         product.apply(&direction, &mut image);

@@ -113,11 +113,11 @@ pub(super) fn corrected(
 ) -> Result<(NormalProblem<'_>, ElementGrid), NormalError> {
     /// Corrections of the approach on the finer grid.
     const MAX_CORRECTIONS: usize = 8;
-    let enough = 10.0 * accuracy.residual;
+    let tolerance = 10.0 * accuracy.residual;
     let Prescribed::Load(load) = asked else { return Ok((task, level)) };
     for _ in 0..MAX_CORRECTIONS {
         let carried = level.load();
-        if (carried / load - 1.0).abs() < enough {
+        if (carried / load - 1.0).abs() < tolerance {
             break;
         }
         let change = (load - carried) / level.stiffness;

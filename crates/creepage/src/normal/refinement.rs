@@ -23,7 +23,7 @@ const SETTLED: [f64; 2] = [0.05, 0.4];
 /// Largest residual over the depth, coarse and fine.
 pub(super) const RESIDUAL_TOLERANCES: [f64; 2] = [1e-5, 1e-6];
 /// Relative tolerance of the stiffness `dN/d(approach)`: final, and during a search.
-pub(super) const NEARLY: [f64; 2] = [2e-3, 0.05];
+pub(super) const STIFFNESS_TOLERANCES: [f64; 2] = [2e-3, 0.05];
 /// Strips of the finer solution for each of the coarser.
 const HALVES: f64 = 2.0;
 /// How much the peak pressure may change with half and with 8/5 of the strips. Where its error falls with the
@@ -82,8 +82,8 @@ impl<'a> RefinementPair<'a> {
             load: if let Prescribed::Load(load) = asked { Some(load) } else { None },
             count: resolution.count.min(strips::most(&near.areas)),
             terms: strips::terms(task.gap, &near.areas)?,
-            enough: RESIDUAL_TOLERANCES[1],
-            nearly: NEARLY[usize::from(!resolution.with_errors)],
+            residual_tolerance: RESIDUAL_TOLERANCES[1],
+            stiffness_tolerance: STIFFNESS_TOLERANCES[usize::from(!resolution.with_errors)],
             complete: true,
             summit: resolution.with_errors,
             attempts: if kind == Start::Close {
@@ -95,9 +95,9 @@ impl<'a> RefinementPair<'a> {
         };
         let half = StripOptions {
             count: whole.count.div_ceil(2),
-            enough: RESIDUAL_TOLERANCES[0],
+            residual_tolerance: RESIDUAL_TOLERANCES[0],
             // Their stiffness is not used.
-            nearly: f64::INFINITY,
+            stiffness_tolerance: f64::INFINITY,
             complete: false,
             // Better areas cost less than many attempts, and finer strips tell the error as well.
             attempts: match kind {
@@ -112,12 +112,12 @@ impl<'a> RefinementPair<'a> {
         Some(Self { task, near, half, whole, more })
     }
 
-    fn lay(&self, start: &[Patch], approach: f64, wanted: StripOptions) -> Option<SolvedPatches> {
-        strips::solve(NormalProblem { approach, ..self.task }, start, self.near.factors, wanted)
+    fn lay(&self, start: &[Patch], approach: f64, options: StripOptions) -> Option<SolvedPatches> {
+        strips::solve(NormalProblem { approach, ..self.task }, start, self.near.factors, options)
     }
 
-    fn lay_into(&self, found: &SolvedPatches, wanted: StripOptions) -> Option<SolvedPatches> {
-        self.lay(&found.patches, found.approach, wanted)
+    fn lay_into(&self, found: &SolvedPatches, options: StripOptions) -> Option<SolvedPatches> {
+        self.lay(&found.patches, found.approach, options)
     }
 
     /// Half the strips, and all into their areas.

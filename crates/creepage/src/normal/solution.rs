@@ -31,7 +31,7 @@ pub(super) struct SolvedPatches {
     /// What a summit or waves as narrow as strips or elements may add to the greatest pressure.
     pub(super) unseen: f64,
     pub(super) stiffness: f64,
-    /// [`Band::stairs`] of the worst band, in the axes in which it was pressed; 0 for elements.
+    /// [`Band::stairs`](super::patch_strip::Band::stairs) of the worst band, in the axes in which it was pressed; 0 for elements.
     pub(super) stairs: f64,
     /// The matrix of strips.
     pub(super) factors: Option<Arc<Factors>>,

@@ -12,7 +12,7 @@ use super::error::NormalError;
 use super::level::{Accuracy, ElementGrid, NormalProblem};
 use super::load;
 use super::overlap::Overlap;
-use super::refinement::{NEARLY, RESIDUAL_TOLERANCES, Start, by_strips};
+use super::refinement::{RESIDUAL_TOLERANCES, STIFFNESS_TOLERANCES, Start, by_strips};
 use super::solution::{Prescribed, SolvedPair, SolvedPatches, areas, contact, gap_points, scale};
 use super::strips::{self, StripOptions};
 
@@ -132,20 +132,20 @@ fn solve(
 fn resolve_strips(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContact> {
     let (rule, NormalWarmStart { areas, factors, .. }) = (near.rule?, near.near(approach));
     let modulus = near.pair.shear_modulus() / (1.0 - near.pair.poisson());
-    let wanted = StripOptions {
+    let options = StripOptions {
         load: None,
         count: rule.count.min(strips::most(&areas)),
         terms: strips::terms(gap, &areas)?,
         // A last step is taken from there.
-        enough: RESIDUAL_TOLERANCES[0],
-        nearly: NEARLY[1],
+        residual_tolerance: RESIDUAL_TOLERANCES[0],
+        stiffness_tolerance: STIFFNESS_TOLERANCES[1],
         complete: true,
         summit: true,
         attempts: StripOptions::CLOSE_ATTEMPTS,
         settled: 1.0,
     };
     let mut found =
-        strips::solve(NormalProblem { gap, modulus, approach }, &areas, factors, wanted)?;
+        strips::solve(NormalProblem { gap, modulus, approach }, &areas, factors, options)?;
     let value = rule.load * found.load;
     scale(&mut found.patches, value);
     let summit = found.summit;

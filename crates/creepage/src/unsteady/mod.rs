@@ -18,7 +18,6 @@ mod carry;
 mod control;
 mod elements;
 mod fastsim;
-mod friction;
 mod history;
 mod jump;
 mod level;

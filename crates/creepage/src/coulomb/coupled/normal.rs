@@ -214,14 +214,14 @@ impl Normal {
         };
         let load = (prescribed == Prescribed::Load).then_some(self.frictionless.load);
         // Of the stiffness only the sign is asked.
-        let question = StripProblem {
+        let problem = StripProblem {
             depth: &depth,
             load,
-            enough: RESIDUAL_TOLERANCE,
-            nearly: 0.1,
+            residual_tolerance: RESIDUAL_TOLERANCE,
+            stiffness_tolerance: 0.1,
             known: None,
         };
-        let found = strip_system::solve(pressed.strips.clone(), MAX_TERMS, question)
+        let found = strip_system::solve(pressed.strips.clone(), MAX_TERMS, problem)
             .map_err(|stopped| stopped.strips)?;
         if found.stiffness > 0.0 && found.deeper.is_finite() {
             let load = found.strips.iter().map(Strip::load).sum();

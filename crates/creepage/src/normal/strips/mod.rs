@@ -30,9 +30,9 @@ pub(super) struct StripOptions {
     /// Polynomials in a strip's pressure; with one alone, strips stay where they are laid.
     pub(super) terms: usize,
     /// Largest residual over the depth.
-    pub(super) enough: f64,
-    /// To which part the stiffness is wanted.
-    pub(super) nearly: f64,
+    pub(super) residual_tolerance: f64,
+    /// Relative tolerance of the stiffness.
+    pub(super) stiffness_tolerance: f64,
     /// Whether the bodies must nowhere overlap beyond the strips.
     pub(super) complete: bool,
     /// Whether the peak pressure is wanted closer than the strips alone tell.
@@ -63,7 +63,7 @@ pub(super) fn solve(
     task: NormalProblem<'_>,
     start: &[Patch],
     known: Option<&Arc<Factors>>,
-    wanted: StripOptions,
+    options: StripOptions,
 ) -> Option<SolvedPatches> {
     /// How often the axes are turned further along the area that was found, where that tells them.
     const ROUNDS: usize = 3;
@@ -77,14 +77,14 @@ pub(super) fn solve(
         let Some(turn) = Turn::along(task, own) else { break };
         let gap = turn.gap(task.gap, own);
         let inner = NormalProblem { gap: &gap, ..task };
-        let found = solve_along_x(inner, &turn.inwards(own)?, known, wanted)?;
+        let found = solve_along_x(inner, &turn.inwards(own)?, known, options)?;
         let is_along = found.stairs < Turn::MIN_STAIRS;
         turned = Some(SolvedPatches { patches: turn.outwards(&found.patches)?, ..found });
         if is_along {
             break;
         }
     }
-    turned.or_else(|| solve_along_x(task, start, known, wanted))
+    turned.or_else(|| solve_along_x(task, start, known, options))
 }
 
 /// The same by strips along x, whichever way the area lies.
@@ -92,35 +92,38 @@ fn solve_along_x(
     task: NormalProblem<'_>,
     start: &[Patch],
     known: Option<&Arc<Factors>>,
-    wanted: StripOptions,
+    options: StripOptions,
 ) -> Option<SolvedPatches> {
-    let StripOptions { count, terms, enough, nearly, mut attempts, .. } = wanted;
+    let StripOptions {
+        count, terms, residual_tolerance, stiffness_tolerance, mut attempts, ..
+    } = options;
     let units = Units::of(task, start)?;
     let gap = |x: f64, y: f64| {
         let place = [x, y].map(|at| at * units.length);
         let h = task.gap.at(units.origin[0] + place[0], units.origin[1] + place[1]);
         (task.approach - h) / units.depth
     };
-    let load = wanted.load.map(|load| load / units.force());
-    let question = StripProblem { depth: &gap, load, enough, nearly, known };
+    let load = options.load.map(|load| load / units.force());
+    let problem =
+        StripProblem { depth: &gap, load, residual_tolerance, stiffness_tolerance, known };
     let (mut start, mut settled, mut is_joined) = (start.to_vec(), 0, false);
     while attempts > 0 {
         let mut laid = laid(&start, count, terms, units)?;
         if terms == CENTRED {
             centre(&mut laid, task.gap, units);
         }
-        match strip_system::solve(laid.clone(), terms, question) {
+        match strip_system::solve(laid.clone(), terms, problem) {
             Ok(touching) if touching.strips.iter().all(Strip::is_compressive) => {
                 let strips = &touching.strips;
                 let patches = patches(&start, strips, units);
-                if settled < SETTLED && moved([&start, &patches], &laid, wanted.settled, units) {
+                if settled < SETTLED && moved([&start, &patches], &laid, options.settled, units) {
                     settled += 1;
                     start = patches;
                     continue;
                 }
                 let falls = fall_to_tips(&patches, strips);
                 let mut beyond = Vec::new();
-                if wanted.complete || !falls {
+                if options.complete || !falls {
                     beyond = overlap_check::overlapped(task, &touching, units, terms, &gap)?;
                 }
                 if !falls || !beyond.is_empty() {
@@ -134,7 +137,7 @@ fn solve_along_x(
                     start = merged;
                     continue;
                 }
-                return Some(found(task, patches, &touching, wanted, &gap, units));
+                return Some(found(task, patches, &touching, options, &gap, units));
             }
             Ok(StripSolution { strips, .. }) => {
                 attempts -= 1;
