@@ -355,7 +355,7 @@ fn contacts_of_pair(
     if pair.varies() {
         return varying_contact::contacts(side, pair);
     }
-    let overlaps = joined(&pair, pair.overlaps()).into_iter();
+    let overlaps = merged(&pair, pair.overlaps()).into_iter();
     overlaps.filter_map(|overlap| Contact::of(side, pair, overlap).transpose()).collect()
 }
 
@@ -369,25 +369,25 @@ fn distance_to([y, z]: [f64; 2], [[y0, z0], [y1, z1]]: [[f64; 2]; 2]) -> f64 {
 }
 
 /// Neighbours joined.
-fn joined(pair: &WheelRailPair<'_>, overlaps: Vec<Overlap>) -> Vec<Overlap> {
+fn merged(pair: &WheelRailPair<'_>, overlaps: Vec<Overlap>) -> Vec<Overlap> {
     let slope = |overlap: &Overlap| {
         let middle = pair.meeting(overlap.from.midpoint(overlap.to))?;
         Some(middle.rail.tangent[1].atan2(middle.rail.tangent[0]))
     };
-    let mut joined: Vec<Overlap> = Vec::new();
+    let mut merged: Vec<Overlap> = Vec::new();
     let mut before = None;
     for overlap in overlaps {
         let here = slope(&overlap);
         let turn = here.zip(before).map_or(0.0, |(here, before): (f64, f64)| (here - before).abs());
         before = here;
-        match joined.last_mut() {
+        match merged.last_mut() {
             Some(last) if overlap.from - last.to < ONE_CONTACT_WITHIN && turn < TURN => {
                 (last.to, last.end) = (overlap.to, last.end.or(overlap.end));
             }
-            _ => joined.push(overlap),
+            _ => merged.push(overlap),
         }
     }
-    joined
+    merged
 }
 
 fn touch(side: Side, pair: &WheelRailPair, lowest: &Meeting) -> Touch {

@@ -102,7 +102,7 @@ pub(crate) fn contacts(
         }
     }
     let mut contacts = Vec::new();
-    for region in joined(regions) {
+    for region in merged(regions) {
         contacts.extend(Contact::of_region(side, pair, &region)?);
     }
     // From the field side, and from behind.
@@ -114,19 +114,19 @@ pub(crate) fn contacts(
 }
 
 /// Regions that lie close together in nearly one plane, as one.
-fn joined(regions: Vec<OverlapRegion>) -> Vec<OverlapRegion> {
-    let mut joined: Vec<OverlapRegion> = Vec::new();
+fn merged(regions: Vec<OverlapRegion>) -> Vec<OverlapRegion> {
+    let mut merged: Vec<OverlapRegion> = Vec::new();
     for mut region in regions {
         // Whatever it is near to becomes one with it.
-        while let Some(index) = joined.iter().position(|other| are_together(other, &region)) {
-            let other = joined.swap_remove(index);
+        while let Some(index) = merged.iter().position(|other| are_together(other, &region)) {
+            let other = merged.swap_remove(index);
             region.cells.extend(other.cells);
             region.is_cut |= other.is_cut;
             region.end = region.end.or(other.end);
         }
-        joined.push(region);
+        merged.push(region);
     }
-    joined
+    merged
 }
 
 fn are_together(one: &OverlapRegion, other: &OverlapRegion) -> bool {

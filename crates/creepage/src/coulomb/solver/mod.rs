@@ -131,10 +131,10 @@ impl State {
             } else {
                 self.limits.copy_from_slice(&limits);
             }
-            let again = self.solve_to(FIXED_POINT_TOLERANCE, grid, equations);
-            sum.converged = again.converged;
-            sum.sweeps += again.sweeps;
-            sum.factorizations += again.factorizations;
+            let resolved = self.solve_to(FIXED_POINT_TOLERANCE, grid, equations);
+            sum.converged = resolved.converged;
+            sum.sweeps += resolved.sweeps;
+            sum.factorizations += resolved.factorizations;
         }
         Outcome { converged: false, ..sum }
     }
