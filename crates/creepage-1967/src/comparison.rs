@@ -1,6 +1,6 @@
-//! One thing that the thesis says, and what is found.
+//! Comparison of one printed value or claim of the thesis with the computed one, and its verdict.
 
-/// How the print and the computed value compare.
+/// Verdict of a comparison of print and computed value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Verdict {
     /// Rounded as the print is, ours is the print; or what is claimed holds.

@@ -1,6 +1,6 @@
-//! A contact seen from above, as in the thesis's sketches, and the fields in it.
+//! Plan view of a contact as in the thesis's sketches: outline, adhesion area, and the fields in it.
 
-use crate::inks::RING;
+use crate::axes::RING;
 use crate::theories::{like_bodies, spaced};
 use creepage::coulomb::{Exact, Resolution};
 use creepage::variational::{Start, Variational};

@@ -1,4 +1,4 @@
-//! The numbers of a picture or a table.
+//! Data table behind a figure or a table, written as CSV.
 
 /// A table of numbers and words, to be written as CSV.
 #[derive(Debug, Clone, PartialEq)]

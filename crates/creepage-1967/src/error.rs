@@ -1,4 +1,4 @@
-//! Why an item cannot be made.
+//! Errors of a table or figure that cannot be reproduced.
 
 use creepage::coulomb::{InverseError, SlidingError};
 use creepage::halfspace::{PolynomialError, ResponseError};
@@ -6,8 +6,8 @@ use creepage::variational::VariationalError;
 use creepage::{HertzError, InvalidValue};
 use creepage_plot::PlotError;
 
-/// Why a table or figure cannot be reproduced. None of these is the user's doing: what was printed
-/// is part of the program, and the questions to the theories are fixed.
+/// Error of a table or figure that cannot be reproduced. None of these is the user's doing: what was printed is
+/// part of the program, and the questions to the theories are fixed.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum GalleryError {
@@ -17,7 +17,7 @@ pub enum GalleryError {
     /// The numerical theory cannot be prepared.
     #[error(transparent)]
     Variational(#[from] VariationalError),
-    /// A contact that is none.
+    /// Invalid contact.
     #[error(transparent)]
     Hertz(#[from] HertzError),
     /// Tractions or displacements without the other.

@@ -1,11 +1,11 @@
-//! A table or figure of the thesis, and what it becomes.
-
-use creepage_plot::{Label, Mark, Shape, Sheet};
+//! Item of the registry, a table or figure of the thesis; its reproduction, and that of many in parallel.
 
 use crate::comparison::Comparison;
 use crate::data::Data;
 use crate::error::GalleryError;
 use crate::points::{OwnPoints, PointsError};
+use creepage_plot::{Label, Mark, Shape, Sheet};
+use rayon::prelude::*;
 
 /// What is said of experiments whose points are in the thesis's pictures only.
 pub const EXPERIMENTS: &str = "The points of the experiments are only in the picture of 1967, not in \
@@ -110,4 +110,31 @@ impl Reproduction {
         let caption = caption.into();
         Self { caption, svg: None, text: Some(text), data, agreement, sheet: None }
     }
+}
+
+/// Item with its reproduction.
+#[derive(Debug, Clone)]
+pub struct Made {
+    /// The table or figure.
+    pub item: &'static Item,
+    /// Computed again.
+    pub reproduction: Reproduction,
+}
+
+/// Makes `items` on all cores, in the order given; `done` is called after each.
+///
+/// The result is the same, bit for bit, on any number of cores.
+///
+/// # Errors
+/// [`GalleryError`] of the first item that fails.
+pub fn reproduce(
+    items: &[&'static Item],
+    done: impl Fn(&Item) + Sync,
+) -> Result<Vec<Made>, GalleryError> {
+    let make = |item: &&'static Item| {
+        let reproduction = item.make()?;
+        done(item);
+        Ok(Made { item, reproduction })
+    };
+    items.par_iter().map(make).collect()
 }

@@ -21,7 +21,7 @@
 //!
 //! `make` computes with the theories of the library and gives `Reproduction::figure`:
 //! - a [`Sheet`](creepage_plot::Sheet): the panels of `creepage_plot`, drawn with the pens of
-//!   `inks.rs` (the full theory looks the same in every figure) and the axes of `axes.rs`;
+//!   colours and axes of `axes.rs` (the full theory looks the same in every figure);
 //!   `contact.rs` asks theories for fields, traces areas and draws contacts with headings;
 //! - a caption in plain words: the setting (`a/b`, `sigma`, degree, weight), what is seen, what
 //!   1967 got right by the full theory; where experiments' points are not in the text of the
@@ -42,7 +42,6 @@ mod contact;
 mod data;
 mod error;
 mod figures;
-mod inks;
 mod item;
 mod output;
 mod page;
@@ -50,17 +49,15 @@ mod points;
 mod prelude;
 mod registry;
 mod rows;
-mod run;
 mod tables;
 mod theories;
 
 pub use comparison::{Comparison, Verdict};
 pub use data::Data;
 pub use error::GalleryError;
-pub use item::{EXPERIMENTS, Item, Reproduction};
+pub use item::{EXPERIMENTS, Item, Made, Reproduction, reproduce};
 pub use output::{File, agreement_text, files, gallery};
 pub use page::{Page, PageStyle};
 pub use points::{OwnPoints, PointsError};
 pub use registry::{find, registry};
 pub use rows::{ROWS, rows, states};
-pub use run::{Made, reproduce};

@@ -1,4 +1,4 @@
-//! Points of one's own over a picture: those of experiments that the thesis has in its pictures only.
+//! User-supplied points drawn over a figure: those of experiments that the thesis has in its pictures only.
 
 use std::io::Read;
 
@@ -11,7 +11,7 @@ pub struct OwnPoints {
     points: Vec<(usize, [f64; 2])>,
 }
 
-/// Why a table has no points for a picture.
+/// Error of a table without points for a picture.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum PointsError {

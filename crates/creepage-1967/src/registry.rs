@@ -1,4 +1,4 @@
-//! What can be reproduced, in the order of the thesis, and then what it could not know.
+//! Registry of all reproducible items, in the order of the thesis, and then of results that it could not know.
 
 use crate::figures::{
     adhesion_splits, angles, border_jumps, convergence, edge_energy, fig2, fig3, fig3a, fig3b,

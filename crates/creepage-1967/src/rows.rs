@@ -1,4 +1,4 @@
-//! What a reader of the thesis wants to do with it, row by row: `ROWS.md`, the one place where it stands.
+//! Generator of `ROWS.md`, the one list of what a reader of the thesis can do with it, row by row.
 
 /// The table of all rows, in Markdown.
 pub const ROWS: &str = include_str!("../ROWS.md");

@@ -1,4 +1,4 @@
-//! What a ball bearing is, and how it runs.
+//! Data of a ball bearing (geometry, materials, friction) and its operating point (load and speed).
 
 use std::f64::consts::PI;
 
@@ -29,7 +29,7 @@ pub struct BallBearing {
     pub friction: f64,
 }
 
-/// What a bearing carries and how fast it runs.
+/// Operating point of a bearing: load and speeds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Operation {
     /// What holds it.
@@ -40,7 +40,7 @@ pub struct Operation {
     pub control: Control,
 }
 
-/// What presses the inner ring against the balls.
+/// Load of the inner ring.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BearingLoad {
     /// Forces on the inner ring (N): along the axis, and radial, towards the ball at azimuth zero.
@@ -54,7 +54,7 @@ pub enum BearingLoad {
     Ball(f64),
 }
 
-/// How a ball's axis of rotation is found.
+/// Kinematic hypothesis that gives the axis of a ball's rotation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Control {
     /// By the balance of all moments of friction on the ball: both races spin.

@@ -1,5 +1,6 @@
-//! Where rings and balls stand: each ball between its grooves under load, centrifugal force and what friction does
-//! across, and the displacement of the inner ring that carries the bearing's load (Jones 1960, Harris).
+//! Equilibrium of rings and balls by Newton's method: each ball between its grooves under load, centrifugal force and
+//! what friction does across, and the displacement of the inner ring that carries the bearing's load (Jones 1960,
+//! Harris).
 
 use creepage::numerics::{self, NewtonLimits};
 use nalgebra::{SMatrix, SVector};
@@ -29,7 +30,7 @@ pub(crate) fn newton<const N: usize, E>(
     Ok((found.at, left))
 }
 
-/// What acts on a ball beside the loads of its races.
+/// Load on a ball beside those of its races.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Acting {
     /// Centrifugal force (N).
@@ -38,7 +39,7 @@ pub(crate) struct Acting {
     pub(crate) across: [f64; 2],
 }
 
-/// A ball in its place.
+/// Equilibrium of one ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Standing {
     /// Contact angles (rad).
@@ -124,7 +125,7 @@ impl BallBearing {
         free: [f64; 2],
         acting: &Acting,
     ) -> Result<[f64; 2], BearingError> {
-        const STEPS: usize = 100;
+        const MAX_NEWTON_STEPS: usize = 100;
         let constants = [
             self.pressed(INNER, self.contact_angle, 1.0)?.approach_constant(),
             self.pressed(OUTER, self.contact_angle, 1.0)?.approach_constant(),
@@ -151,7 +152,7 @@ impl BallBearing {
         let pressed = constants[OUTER] * (acting.centrifugal * acting.centrifugal).cbrt();
         let mut centre = whole * ((free[OUTER] + pressed.max(1e-7)) / whole.norm());
         let (mut energy, mut gradient, mut hessian) = at(&centre);
-        for _ in 0..STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             // A little stiffness where nothing is pressed.
             let size = hessian.norm().max(1.0);
             let stiff = hessian + SMatrix::identity() * (1e-9 * size);

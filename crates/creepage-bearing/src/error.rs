@@ -1,9 +1,9 @@
-//! Why a bearing cannot be solved.
+//! Errors of the bearing solver.
 
 use creepage::normal::NormalError;
 use creepage::{HertzError, InvalidValue};
 
-/// Why a bearing cannot be solved.
+/// Error of the bearing solver.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum BearingError {

@@ -12,7 +12,7 @@ use creepage::{
 use crate::bearing::RACES;
 use crate::error::BearingError;
 
-/// By what the friction of a contact is found.
+/// Theory of friction of a ball-race contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BearingTheory {
     /// The full theory.
@@ -23,7 +23,7 @@ pub enum BearingTheory {
     Sliding,
 }
 
-/// How the surfaces of ball and ring move against each other, over the rolling speed.
+/// Relative motion of ball and ring in their contact, over the rolling speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RaceSlip {
     /// Creepage along and across, of the ball against the ring, at the middle; and spin (rad/m).
@@ -32,7 +32,7 @@ pub struct RaceSlip {
     pub heathcote: f64,
 }
 
-/// What friction does in one contact.
+/// Force, moment and heat of friction in one contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RaceFriction {
     /// Force (N) and moment about the normal (N m) of the ball on the ring.
@@ -50,7 +50,7 @@ pub struct RaceFriction {
     pub status: Status,
 }
 
-/// What happens in the elements of one contact.
+/// Element field of one contact.
 #[derive(Debug, Clone)]
 pub struct RaceField {
     /// Pressure and area.
@@ -61,7 +61,7 @@ pub struct RaceField {
     pub scaling: Scaling,
 }
 
-/// A contact of ball and ring whose friction is asked again and again.
+/// Contact of ball and ring, prepared for repeated evaluation of its friction.
 #[derive(Debug)]
 pub(crate) struct RaceContact {
     hertz: Hertz,
@@ -159,7 +159,7 @@ impl RaceContact {
     /// Gauss rule for an elliptic pressure.
     fn slide(&self, slip: &RaceSlip) -> RaceFriction {
         const ROWS: usize = 96;
-        const POINTS: usize = 24;
+        const POINTS_PER_ROW: usize = 24;
         let ([a, b], bound) = ([self.hertz.ellipse().a(), self.hertz.ellipse().b()], self.bound());
         let SiCreepage { longitudinal, lateral, spin } = slip.creepage;
         let along = |y: f64| longitudinal + slip.heathcote * y * y - spin * y;
@@ -170,10 +170,10 @@ impl RaceContact {
             let [from, to] = [row, row + 1].map(|k| 2.0 * k as f64 / ROWS as f64 - 1.0);
             let (middle, load) = (0.5 * (from + to), bound * (below(to) - below(from)));
             let (y, slips) = (b * middle, [along(b * from), along(b * to)]);
-            for point in 1..=POINTS {
-                let angle = std::f64::consts::PI * point as f64 / (POINTS + 1) as f64;
+            for point in 1..=POINTS_PER_ROW {
+                let angle = std::f64::consts::PI * point as f64 / (POINTS_PER_ROW + 1) as f64;
                 let x = a * (1.0 - middle * middle).sqrt() * angle.cos();
-                let part = load * 2.0 * angle.sin().powi(2) / (POINTS + 1) as f64;
+                let part = load * 2.0 * angle.sin().powi(2) / (POINTS_PER_ROW + 1) as f64;
                 let across = lateral + spin * x;
                 let ([px, py], size) = mean_direction(slips, across);
                 let p = [part * px, part * py];

@@ -1,5 +1,5 @@
-//! How a ball rolls between its races: rotation and orbit, spin and creepage of both contacts, and the motion at which
-//! friction balances the ball.
+//! Kinematics of a ball between its races: rotation and orbit, spin and creepage of both contacts, and the motion at
+//! which friction balances the ball.
 //!
 //! Axes of a ball: along the bearing's axis (the inner ring is pressed that way), out from it, and around it; the frame
 //! turns with the ball's orbit. A contact has `z` from the ball into the ring, `x` the way it travels over the surfaces,
@@ -18,7 +18,7 @@ const TOLERANCE: f64 = 1e-6;
 /// What is left at most where the line search ends before: contact solvers scatter by their own tolerance.
 const ACCEPTED: f64 = 1e-3;
 
-/// How a ball moves.
+/// Motion of a ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BallMotion {
     /// Angular velocity of its orbit (rad/s), that of a cage.

@@ -1,4 +1,4 @@
-//! A bearing solved: displacement, every ball, friction and heat.
+//! Solved bearing: displacement, every ball, friction and heat.
 
 use creepage::{Hertz, Status};
 use rayon::prelude::*;
@@ -13,7 +13,7 @@ use crate::motion::{Ball, BallMotion};
 const MAX_ROUNDS: usize = 40;
 const SETTLED: [f64; 2] = [1e-7, 1e-5];
 
-/// A bearing that runs.
+/// Solved bearing.
 #[derive(Debug, Clone)]
 pub struct SolvedBearing {
     /// Displacement of the inner ring along the axis and towards azimuth zero (m).
@@ -96,7 +96,7 @@ impl BallBearing {
         let count = if is_radial { self.balls } else { 1 };
         // By sliding friction first, which costs nothing, then by the theory.
         let stages = [(BearingTheory::Sliding, SETTLED[0]), (theory, SETTLED[1])];
-        let mut known = Known::new(count, self.nominal_orbit(operation), self);
+        let mut known = IterationState::new(count, self.nominal_orbit(operation), self);
         let mut balls = Vec::new();
         for (stage, settled) in stages {
             for _ in 0..MAX_ROUNDS {
@@ -195,7 +195,7 @@ impl BallBearing {
     fn summed(
         &self,
         operation: &Operation,
-        known: &Known,
+        known: &IterationState,
         mut balls: Vec<SolvedBall>,
         alike: usize,
     ) -> SolvedBearing {
@@ -270,15 +270,15 @@ impl Operation {
     }
 }
 
-/// What is known of loads and friction from one round to the next.
-struct Known {
+/// State of the outer iteration on loads and friction, from round to round.
+struct IterationState {
     displacement: Option<Displacement>,
     acting: Vec<Acting>,
     standing: Vec<Standing>,
     motions: Vec<Option<BallMotion>>,
 }
 
-impl Known {
+impl IterationState {
     fn new(count: usize, orbit: f64, bearing: &BallBearing) -> Self {
         let centrifugal = bearing.centrifugal(orbit);
         let acting = vec![Acting { centrifugal, across: [0.0; 2] }; count];

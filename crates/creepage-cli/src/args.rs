@@ -1,4 +1,4 @@
-//! The command line.
+//! Command-line arguments of `creepage` (clap).
 
 use std::path::PathBuf;
 

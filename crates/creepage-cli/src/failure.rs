@@ -1,4 +1,4 @@
-//! What ends the command early, and the exit code that says so.
+//! Failure of a command, and its exit code.
 
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ use creepage_study::{
 
 use crate::batch::columns::ColumnError;
 
-/// Why the command could not do its work.
+/// Failure of a command.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
     #[error(

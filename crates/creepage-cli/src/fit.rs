@@ -23,12 +23,12 @@ pub(crate) fn run(args: &FitArgs) -> Result<Outcome, Failure> {
     let theories = theories(args.theory.as_slice(), &case)?;
     let spec = theories.first().unwrap_or(case.theory());
     let bar = spinner();
-    let mut go_on = || {
+    let mut proceeds = || {
         bar.inc(1);
         true
     };
     let options = FitOptions { slope: args.slope };
-    let fit = Fit::new(&file, place, spec, &measured, options, &mut go_on);
+    let fit = Fit::new(&file, place, spec, &measured, options, &mut proceeds);
     bar.finish_and_clear();
     let fit = fit.map_err(|source| failed(args, source))?;
     if let Some(directory) = &args.out {

@@ -1,4 +1,4 @@
-//! The files that commands read, and the theories that these ask for.
+//! Input files of the commands: case files, tables, and the theories that they name.
 
 use std::fs;
 use std::io;

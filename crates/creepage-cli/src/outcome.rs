@@ -1,6 +1,6 @@
-//! How a command that did its work ends.
+//! Outcome of a command that did its work.
 
-/// How good the output is.
+/// Quality of the output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Outcome {
     /// All of it can be used.

@@ -1,4 +1,4 @@
-//! Data to standard output, words to standard error.
+//! Output streams: data to standard output, messages to standard error.
 
 use std::io::{self, Write};
 use std::path::PathBuf;

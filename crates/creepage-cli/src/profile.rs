@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use creepage_rail::file::{Format, Reading, Wanted, read, write};
+use creepage_rail::file::{Format, ReadOptions, Reading, read, write};
 use creepage_rail::{Profile, Role, Side, Smoothing, Standard};
 use creepage_study::{Sources, profile_pictures, write_all};
 use serde_json::{Value, json};
@@ -20,12 +20,12 @@ use crate::survey;
 const SPACING: f64 = 5e-4;
 
 /// What an argument names.
-enum Found {
+enum NamedProfile {
     Standard(Profile),
     File(Reading),
 }
 
-impl Found {
+impl NamedProfile {
     fn profile(&self) -> &Profile {
         match self {
             Self::Standard(profile) => profile,
@@ -59,7 +59,8 @@ fn listed() -> String {
 fn told(args: &ProfileArgs) -> Result<(), Failure> {
     let wanted = args.wanted();
     let find = |path: &PathBuf| (path.clone(), find(path, &wanted));
-    let found: Vec<(PathBuf, Result<Found, Failure>)> = args.profiles.iter().map(find).collect();
+    let found: Vec<(PathBuf, Result<NamedProfile, Failure>)> =
+        args.profiles.iter().map(find).collect();
     if let Some(directory) = &args.out
         && found.iter().all(|(_, one)| one.is_ok())
     {
@@ -91,16 +92,16 @@ fn told(args: &ProfileArgs) -> Result<(), Failure> {
 }
 
 /// As in a case file: a standard profile by its name, else a file.
-fn find(path: &Path, wanted: &Wanted) -> Result<Found, Failure> {
+fn find(path: &Path, wanted: &ReadOptions) -> Result<NamedProfile, Failure> {
     if let Some(standard) = path.to_str().and_then(Standard::named) {
-        if *wanted != Wanted::default() {
+        if *wanted != ReadOptions::default() {
             return Err(Failure::NothingToRead { profile: standard.name() });
         }
-        return Ok(Found::Standard(standard.profile()));
+        return Ok(NamedProfile::Standard(standard.profile()));
     }
     let content = fs::read(path).map_err(|source| nowhere(path, source))?;
     read(&path.to_string_lossy(), &content, wanted)
-        .map(Found::File)
+        .map(NamedProfile::File)
         .map_err(|source| Failure::Profile { path: path.into(), source })
 }
 
@@ -116,7 +117,7 @@ fn nowhere(path: &Path, source: io::Error) -> Failure {
 /// profile over no other file, which may be somebody's measurement. Pictures are replaced.
 fn written(
     directory: &Path,
-    profiles: &[(&Path, &Found)],
+    profiles: &[(&Path, &NamedProfile)],
     convert: Option<ProfileFormat>,
 ) -> Result<Vec<PathBuf>, Failure> {
     let mut files: Vec<(String, Vec<u8>)> = Vec::new();
@@ -137,13 +138,13 @@ fn written(
     }
     let files: Vec<(&str, &[u8])> =
         files.iter().map(|(name, content)| (&name[..], &content[..])).collect();
-    let read = profiles.iter().filter(|(_, found)| matches!(found, Found::File(_)));
+    let read = profiles.iter().filter(|(_, found)| matches!(found, NamedProfile::File(_)));
     Ok(write_all(directory, &files, &Sources::new(read.map(|(path, _)| *path)))?)
 }
 
 /// Whether a file is one of those that were read, over which [`write_all`] writes nothing.
-fn is_source(target: &Path, profiles: &[(&Path, &Found)]) -> bool {
-    let files = profiles.iter().filter(|(_, found)| matches!(found, Found::File(_)));
+fn is_source(target: &Path, profiles: &[(&Path, &NamedProfile)]) -> bool {
+    let files = profiles.iter().filter(|(_, found)| matches!(found, NamedProfile::File(_)));
     Sources::new(files.map(|(path, _)| *path)).ensure_not_overwritten(target).is_err()
 }
 
@@ -176,12 +177,12 @@ fn name(format: Format) -> &'static str {
     }
 }
 
-fn words(path: &Path, found: &Found) -> String {
+fn words(path: &Path, found: &NamedProfile) -> String {
     let (given, profile) = (path.display(), found.profile());
     let (role, length) = (profile.role(), 1e3 * profile.curve().length());
     match found {
-        Found::Standard(_) => format!("{given}: {role}, standard, {length:.1} mm long\n"),
-        Found::File(Reading { format, points, actions, .. }) => {
+        NamedProfile::Standard(_) => format!("{given}: {role}, standard, {length:.1} mm long\n"),
+        NamedProfile::File(Reading { format, points, actions, .. }) => {
             let format = name(*format);
             let head = format!("{given}: {role}, {format}, {points} points, {length:.1} mm long\n");
             actions.iter().fold(head, |text, action| format!("{text}  {action}\n"))
@@ -190,15 +191,15 @@ fn words(path: &Path, found: &Found) -> String {
 }
 
 /// What only a file has is `null` of a standard profile.
-fn facts(path: &Path, found: &Found) -> Value {
+fn facts(path: &Path, found: &NamedProfile) -> Value {
     let profile = found.profile();
     let (role, length) = (profile.role().to_string(), profile.curve().length());
     match found {
-        Found::Standard(_) => json!({
+        NamedProfile::Standard(_) => json!({
             "standard": path, "file": null, "role": role, "format": null, "points": null,
             "length_m": length, "actions": [],
         }),
-        Found::File(Reading { format, points, actions, .. }) => {
+        NamedProfile::File(Reading { format, points, actions, .. }) => {
             let actions: Vec<String> = actions.iter().map(ToString::to_string).collect();
             json!({
                 "standard": null, "file": path, "role": role, "format": name(*format),
@@ -210,8 +211,8 @@ fn facts(path: &Path, found: &Found) -> Value {
 
 impl ProfileArgs {
     /// What is asked for in place of what would be found.
-    pub(crate) fn wanted(&self) -> Wanted {
-        Wanted {
+    pub(crate) fn wanted(&self) -> ReadOptions {
+        ReadOptions {
             format: None,
             role: self.role.map(|role| match role {
                 RoleName::Wheel => Role::Wheel,

@@ -82,7 +82,7 @@ fn pages(
     style: PageStyle,
     mut out: impl Write,
 ) -> Result<(), ReportError> {
-    run.again(|case, steps, found| {
+    run.replay(|case, steps, found| {
         let page = Page {
             theory,
             loops: [case.chi, case.upsilon, case.alpha],

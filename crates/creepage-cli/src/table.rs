@@ -96,7 +96,7 @@ pub(crate) fn run(args: &TableArgs) -> Result<Outcome, Failure> {
 
 /// One look-up.
 #[derive(Serialize)]
-struct Found {
+struct LookUp {
     a_over_b: f64,
     poisson: f64,
     xi: f64,
@@ -127,7 +127,7 @@ fn eval(args: &EvalArgs) -> Result<(), Failure> {
     let ([xi, eta, chi], Force { fx, fy, mz }) = (creepage.components(), force);
     let accuracy = table.accuracy();
     let [force_error, moment_error] = [accuracy.force.worst, accuracy.moment.worst];
-    let found = Found {
+    let found = LookUp {
         a_over_b,
         poisson,
         xi,
@@ -143,7 +143,7 @@ fn eval(args: &EvalArgs) -> Result<(), Failure> {
     print(&if args.json { to_json(&found)? } else { found.text() })
 }
 
-impl Found {
+impl LookUp {
     fn text(&self) -> String {
         let Self { fx, fy, mz, force_error, moment_error, .. } = *self;
         let mut text = String::new();

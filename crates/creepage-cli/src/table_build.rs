@@ -1,4 +1,4 @@
-//! `creepage table build`.
+//! `creepage table build`: a table of creep force, computed in parallel and written to a file.
 
 use std::io::Write;
 use std::path::PathBuf;

@@ -1,4 +1,4 @@
-//! A case in SI units, asked many times.
+//! C functions of bulk cases: one case in SI units, solved for many rows.
 
 use std::ffi::c_char;
 use std::path::Path;

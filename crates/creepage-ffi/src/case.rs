@@ -1,4 +1,4 @@
-//! Case files.
+//! C functions of case files.
 
 use std::ffi::c_char;
 use std::fs;

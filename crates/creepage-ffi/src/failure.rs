@@ -1,4 +1,4 @@
-//! What goes wrong, its code and its words.
+//! Failure of a C call: its status code and message.
 
 use std::ffi::c_char;
 use std::io;

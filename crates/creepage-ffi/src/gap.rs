@@ -1,4 +1,4 @@
-//! Contacts of any shape.
+//! C functions of contacts of any shape.
 
 use std::ffi::c_char;
 

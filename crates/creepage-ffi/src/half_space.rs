@@ -1,4 +1,4 @@
-//! The load-displacement equations of chapters 2 and 3, both ways, and problems without rolling.
+//! C functions of the load-displacement equations of chapters 2 and 3, both ways, and of problems without rolling.
 
 use std::ffi::c_char;
 use std::fs;

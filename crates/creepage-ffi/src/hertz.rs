@@ -1,4 +1,4 @@
-//! The contact ellipse of two bodies, and the field in it.
+//! C functions of Hertz contact: the contact ellipse of two bodies, and the field in it.
 
 use std::ffi::c_char;
 

@@ -1,4 +1,4 @@
-//! From C's pointers to Rust's references.
+//! Checked conversion of C pointers to Rust references.
 
 use std::ffi::{CStr, c_char};
 use std::path::Path;

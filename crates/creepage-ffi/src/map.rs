@@ -1,4 +1,4 @@
-//! Contact maps of wheelsets: read from a file, asked state by state.
+//! C functions of contact maps of wheelsets: read from a file, asked state by state.
 
 use std::ffi::c_char;
 use std::fs;

@@ -1,4 +1,4 @@
-//! Any quantity of a report, by its key.
+//! C function of any quantity of a report, by its key.
 
 use std::ffi::c_char;
 use std::slice;

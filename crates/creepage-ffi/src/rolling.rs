@@ -1,4 +1,4 @@
-//! A contact that rolls unsteadily, step by step, and whose steps can be taken back.
+//! C functions of transient rolling, step by step; steps can be taken back.
 
 use std::ffi::c_char;
 use std::sync::{Mutex, MutexGuard, PoisonError};

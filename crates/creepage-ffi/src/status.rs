@@ -1,4 +1,4 @@
-//! How far a force may be trusted, as a number.
+//! Status codes of forces in C.
 
 use creepage::Status;
 use creepage_study::Caution;

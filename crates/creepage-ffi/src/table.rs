@@ -1,4 +1,4 @@
-//! Tables of creep force.
+//! C functions of tables of creep force.
 
 use std::ffi::c_char;
 use std::fs;

@@ -1,4 +1,4 @@
-//! Theories.
+//! C functions of prepared theories.
 
 use std::ffi::c_char;
 

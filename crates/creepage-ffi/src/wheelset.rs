@@ -1,4 +1,4 @@
-//! A wheelset on its rails, prepared once and asked position by position.
+//! C functions of a wheelset on its rails, prepared once and solved position by position.
 
 use std::ffi::c_char;
 

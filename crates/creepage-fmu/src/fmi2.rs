@@ -1,4 +1,4 @@
-//! The functions of FMI 2.0.
+//! C functions of FMI 2.0.
 // Names and arguments are those of the standard.
 #![allow(non_snake_case, clippy::too_many_arguments, clippy::fn_params_excessive_bools)]
 

@@ -1,4 +1,4 @@
-//! The functions of FMI 3.0: those of version 2 by their new names, and what is new.
+//! C functions of FMI 3.0: those of version 2 by their new names, and what is new.
 // Names and arguments are those of the standard.
 #![allow(non_snake_case, clippy::too_many_arguments, clippy::fn_params_excessive_bools)]
 

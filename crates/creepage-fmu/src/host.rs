@@ -1,5 +1,5 @@
-//! What both versions of the interface share: an instance as the host has it, statuses, arrays of the host, kept states,
-//! and the functions that differ by their names alone.
+//! Common part of FMI 2.0 and 3.0: an instance as the host has it, statuses, arrays of the host, kept states, and the
+//! functions that differ by their names alone.
 
 use std::ffi::{CString, c_int, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};

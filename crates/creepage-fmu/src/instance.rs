@@ -1,15 +1,15 @@
-//! An instance: a map, its inputs, and the outputs that follow from them.
+//! Instance of the FMU: a map, its inputs, and the outputs that follow from them.
 
 use std::sync::Arc;
 
-use creepage_map::{Answer, ContactMap, MapError, PatchAnswer, Pressed, State, WheelAnswer};
+use creepage_map::{Answer, ContactMap, HeightOrLoad, MapError, PatchAnswer, State, WheelAnswer};
 
 use crate::variables::{INPUTS, OUTPUTS, SWITCHES};
 
 /// Bytes of a saved state.
 pub(crate) const STATE_BYTES: usize = 8 * (INPUTS + 1) + SWITCHES.len();
 
-/// Why an instance cannot be made.
+/// Error of making an instance.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum InstanceError {
     #[error("cannot read {path}: {source}")]
@@ -20,7 +20,7 @@ pub(crate) enum InstanceError {
     Map(#[from] MapError),
 }
 
-/// What is set from outside: all that an instance remembers.
+/// Inputs from outside: all that an instance remembers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Inputs {
     pub(crate) reals: [f64; INPUTS],
@@ -135,8 +135,8 @@ impl Inputs {
     fn start(map: &ContactMap) -> Self {
         let own = map.head().own;
         let (z, load) = match own.pressed {
-            Pressed::Height(z) => (z, 0.0),
-            Pressed::AxleLoad(load) => (0.0, load),
+            HeightOrLoad::Height(z) => (z, 0.0),
+            HeightOrLoad::AxleLoad(load) => (0.0, load),
         };
         let reals = [
             own.y,
@@ -152,7 +152,7 @@ impl Inputs {
             own.yaw_rate,
             own.friction,
         ];
-        let switches = [matches!(own.pressed, Pressed::Height(_)), own.pitch_rate.is_none()];
+        let switches = [matches!(own.pressed, HeightOrLoad::Height(_)), own.pitch_rate.is_none()];
         Self { reals, switches, time: 0.0 }
     }
 
@@ -164,7 +164,7 @@ impl Inputs {
             y,
             yaw,
             roll: by_height.then_some(roll),
-            pressed: if by_height { Pressed::Height(z) } else { Pressed::AxleLoad(load) },
+            pressed: if by_height { HeightOrLoad::Height(z) } else { HeightOrLoad::AxleLoad(load) },
             speed,
             pitch_rate: (!pitch_free).then_some(rate),
             lateral_velocity: lateral,

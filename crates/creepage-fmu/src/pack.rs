@@ -1,4 +1,4 @@
-//! The archive: description, library, map.
+//! FMU archive: description, library, map.
 
 use std::io::{Cursor, Write};
 use std::sync::Arc;
@@ -19,7 +19,7 @@ pub enum Version {
     Three,
 }
 
-/// Why no FMU can be made.
+/// Error of packing an FMU.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum PackError {

@@ -1,6 +1,6 @@
-//! The variables of the FMU: names, units and meanings, from which the description and the access are made.
+//! Table of the FMU's variables: names, units and meanings, from which the description and the access are made.
 
-/// What a variable is to the outside.
+/// Causality of a variable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Causality {
     Input,

@@ -1,4 +1,4 @@
-//! Module 3: two bodies with a given shape. What is read of each case.
+//! Reader of module 3 of CONTACT: two bodies with a given shape. What is read of each case.
 
 use crate::ImportError;
 use crate::lines::Lines;

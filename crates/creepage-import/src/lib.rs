@@ -37,7 +37,7 @@ use profiles::Profiles;
 use read::Control;
 use wheels::Wheels;
 
-/// Why an input file cannot be read.
+/// Error of an input file that cannot be read.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ImportError {
@@ -70,7 +70,7 @@ pub enum ImportError {
     Empty,
 }
 
-/// A file to be written.
+/// Output file: its name and contents.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct File {
     /// Its name in the directory.
@@ -85,7 +85,7 @@ impl File {
     }
 }
 
-/// A case that has a counterpart.
+/// Converted case.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Written {
     /// The command that solves it.

@@ -1,4 +1,4 @@
-//! An input file as lines of numbers: what stands behind the first word of a line is a comment.
+//! Tokenizer of input files: lines of numbers and words, of which what stands behind the first word is a comment.
 
 use crate::ImportError;
 

@@ -1,9 +1,9 @@
-//! Files of profiles that an input file names.
+//! Profile files that an input file names.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use creepage_rail::file::{SliceList, Wanted, read};
+use creepage_rail::file::{ReadOptions, SliceList, read};
 use creepage_rail::{Profile, Role};
 
 use crate::text::{comments, list as list_of, number, quoted};
@@ -132,7 +132,7 @@ impl Profiles {
     fn profile(&self, file: &ProfileFile, role: Role) -> Option<Profile> {
         let content = fs::read(find(&self.from, &file.name)?).ok()?;
         let down = (file.mirror_z == 1).then_some(false);
-        let wanted = Wanted { role: Some(role), down, ..Wanted::default() };
+        let wanted = ReadOptions { role: Some(role), down, ..ReadOptions::default() };
         Some(read(&file.name, &content, &wanted).ok()?.profile)
     }
 

@@ -1,4 +1,4 @@
-//! What both modules read alike: control digits, friction, materials, heat, points below the surface.
+//! Readers common to both modules: control digits, friction, materials, heat, points below the surface.
 
 use crate::ImportError;
 use crate::lines::{Digits, Lines};

@@ -1,4 +1,4 @@
-//! Module 1: a wheel on a rail or a roller. What is read of each case.
+//! Reader of module 1 of CONTACT: a wheel on a rail or a roller. What is read of each case.
 
 use crate::ImportError;
 use crate::lines::Lines;

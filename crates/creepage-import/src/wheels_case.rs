@@ -1,4 +1,4 @@
-//! A case of module 1 as a wheelset file of creepage.
+//! Conversion of a case of module 1 to a wheelset file of creepage.
 
 use crate::bodies_case::law_text;
 use crate::profiles::Profiles;

@@ -1,4 +1,4 @@
-//! Steps of a wheel on a rail (T = 1, 2) as the table of its way.
+//! Conversion of steps of a wheel on a rail (T = 1, 2) to a table of positions.
 
 use std::fmt::Write as _;
 

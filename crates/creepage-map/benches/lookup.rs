@@ -6,7 +6,7 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-use creepage_map::{ContactMap, Pressed, Side, State};
+use creepage_map::{ContactMap, HeightOrLoad, Side, State};
 use divan::{Bencher, black_box};
 
 fn main() {
@@ -24,15 +24,15 @@ fn map() -> ContactMap {
 fn states(map: &ContactMap) -> Vec<State> {
     let own = State { speed: 20.0, yaw: 0.0, roll: None, pitch_rate: None, ..map.head().own };
     let load = match own.pressed {
-        Pressed::AxleLoad(load) => load,
-        Pressed::Height(_) => 90e3,
+        HeightOrLoad::AxleLoad(load) => load,
+        HeightOrLoad::Height(_) => 90e3,
     };
     let [_, high] = map.wheel(Side::Right).range();
     let part = |k: u32, times: f64| 2.0 * (times * f64::from(k)).fract() - 1.0;
     let state = |k: u32| State {
         y: high.min(5e-3) * part(k, 0.618_034),
         yaw: 0.5 * map.head().yaw * part(k, 0.414_214),
-        pressed: Pressed::AxleLoad(load * (1.0 + 0.2 * part(k, 0.732_051))),
+        pressed: HeightOrLoad::AxleLoad(load * (1.0 + 0.2 * part(k, 0.732_051))),
         ..own
     };
     (0..100_000).map(state).filter(|state| map.solve(state).is_ok()).take(1000).collect()
@@ -43,7 +43,7 @@ fn given(map: &ContactMap, states: &[State]) -> Vec<State> {
     let give = |state: &State| {
         let found = map.solve(state).unwrap();
         let (z, roll, pitch_rate) = (found.z, Some(found.roll), Some(found.pitch_rate));
-        State { pressed: Pressed::Height(z), roll, pitch_rate, ..*state }
+        State { pressed: HeightOrLoad::Height(z), roll, pitch_rate, ..*state }
     };
     states.iter().map(give).collect()
 }

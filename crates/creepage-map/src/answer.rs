@@ -1,11 +1,11 @@
-//! What a contact map is asked with, and what it answers.
+//! State of a wheelset, with which a contact map is asked, and the map's answer.
 
 use crate::Side;
 use crate::patch::Report;
 use crate::wheel::{CellError, PLACES, WheelActs};
 
-/// Where a wheelset stands and how it moves: what a map is asked with. Axes of the track: `x` forward,
-/// `y` to the right, `z` down.
+/// Position and motion of a wheelset, with which a map is asked. Axes of the track: `x` forward, `y` to the
+/// right, `z` down.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
     /// Its centre to the right of the track centre (m).
@@ -15,7 +15,7 @@ pub struct State {
     /// Turn about `x` (rad); found where `None`: both rails then carry the same.
     pub roll: Option<f64>,
     /// What holds it down.
-    pub pressed: Pressed,
+    pub pressed: HeightOrLoad,
     /// Speed along the track (m/s).
     pub speed: f64,
     /// Angular velocity about the axle (rad/s); where `None` that at which friction has no moment about it.
@@ -41,7 +41,8 @@ impl State {
         let given = |value: f64| (!value.is_nan()).then_some(value);
         let [y, z, roll, yaw, load, speed, rate, lateral, vertical, roll_rate, yaw_rate, friction] =
             *numbers;
-        let pressed = given(z).map(Pressed::Height).or(given(load).map(Pressed::AxleLoad));
+        let pressed =
+            given(z).map(HeightOrLoad::Height).or(given(load).map(HeightOrLoad::AxleLoad));
         Self {
             y: or(y, self.y),
             yaw: or(yaw, self.yaw),
@@ -58,16 +59,16 @@ impl State {
     }
 }
 
-/// What holds a wheelset down.
+/// Vertical constraint of a wheelset: its height or its load.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Pressed {
+pub enum HeightOrLoad {
     /// Its height (m, down).
     Height(f64),
     /// Vertical force of the wheelset on the track (N).
     AxleLoad(f64),
 }
 
-/// One place of contact of an answer, in track axes.
+/// Answer of one contact, in track axes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PatchAnswer {
     /// Reference point in track axes (m).
@@ -95,7 +96,7 @@ impl PatchAnswer {
     }
 }
 
-/// One wheel of an answer.
+/// Answer of one wheel.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct WheelAnswer {
     /// Force on the rail along the track's axes (N).
@@ -108,7 +109,7 @@ pub struct WheelAnswer {
     pub error: CellError,
 }
 
-/// What a map answers.
+/// Answer of a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Answer {
     /// The left wheel.

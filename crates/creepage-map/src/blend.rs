@@ -8,7 +8,7 @@ pub(crate) fn cell(grid: &[f64], at: f64) -> usize {
     grid.partition_point(|node| *node <= at).saturating_sub(1).min(last)
 }
 
-/// How two neighbours that know their slopes are blended: Hermite's cubic, `sum w_k (f_k + d_k f_k')`.
+/// Weights of Hermite's cubic between two neighbours that know their slopes, `sum w_k (f_k + d_k f_k')`.
 ///
 /// The weights `w_k` are not negative, so that a bound on both neighbours is one on the blend, and level at the
 /// nodes; each neighbour is asked not as far away as the place lies, but at `d_k`, by which the cubic's terms of the

@@ -1,9 +1,9 @@
-//! What a wheelset on a map finds for itself: height, roll and pitch rate by Newton's method, and how these follow what is
-//! given.
+//! Equilibrium of a wheelset on a map: height, roll and pitch rate by Newton's method, and their implicit derivatives by
+//! what is given.
 
 use creepage::numerics::largest_magnitude;
 
-use crate::answer::{Pressed, State};
+use crate::answer::{HeightOrLoad, State};
 use crate::error::MapError;
 use crate::map::{ContactMap, Derivatives, SIDES, VARIABLES, numbers};
 use crate::scalar::{Dual, Scalar};
@@ -14,7 +14,7 @@ pub(crate) const Z: usize = 1;
 pub(crate) const ROLL: usize = 2;
 pub(crate) const PITCH: usize = 5;
 
-/// What a wheelset finds for itself.
+/// Free variables of a wheelset's equilibrium.
 pub(crate) struct Unknowns {
     /// Their places among the variables.
     open: Few,
@@ -41,7 +41,7 @@ impl Few {
 impl Unknowns {
     pub(crate) fn of(state: &State) -> Self {
         let mut open = Few::default();
-        if matches!(state.pressed, Pressed::AxleLoad(_)) {
+        if matches!(state.pressed, HeightOrLoad::AxleLoad(_)) {
             open.push(Z);
         }
         if state.roll.is_none() {
@@ -60,7 +60,7 @@ impl Unknowns {
         state: &State,
         start: [f64; 3],
     ) -> Result<[f64; 3], MapError> {
-        const STEPS: usize = 40;
+        const MAX_NEWTON_STEPS: usize = 40;
         /// Of the load, and of the load times a metre.
         const RESIDUAL_TOLERANCE: f64 = 1e-9;
         let count = self.open.count;
@@ -71,7 +71,7 @@ impl Unknowns {
         // Longest steps: 20 um, .1 mrad, .5 % of the rate.
         let longest = [20e-6, 1e-4, 5e-3 * state.speed / map.head.radius];
         let mut left = f64::INFINITY;
-        for _ in 0..STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             let mut numbers = numbers::<Dual<3>>(state, at);
             for (k, open) in self.open.iter().enumerate() {
                 match *open {
@@ -120,12 +120,12 @@ fn kept<S: Scalar>(state: &State, wheels: &[WheelActs<S>; 2]) -> Vec<S> {
 fn residuals_of<S: Scalar>(state: &State, wheels: &[WheelActs<S>; 2], mut add: impl FnMut(S)) {
     let [left, right] = wheels;
     let sum = left.force[2] + right.force[2];
-    if let Pressed::AxleLoad(load) = state.pressed {
+    if let HeightOrLoad::AxleLoad(load) = state.pressed {
         add((sum - load) * load.recip());
     }
     let scale = match state.pressed {
-        Pressed::AxleLoad(load) => load,
-        Pressed::Height(_) => sum.value().max(1.0),
+        HeightOrLoad::AxleLoad(load) => load,
+        HeightOrLoad::Height(_) => sum.value().max(1.0),
     };
     if state.roll.is_none() {
         add((right.force[2] - left.force[2]) * scale.recip());
@@ -148,7 +148,7 @@ fn newton_step(residuals: &[Dual<3>; 3], count: usize) -> Option<[f64; 3]> {
 }
 
 /// Lets what is found follow what is given.
-pub(crate) fn follow(
+pub(crate) fn implicit_derivatives(
     state: &State,
     wheels: &[WheelActs<Dual<VARIABLES>>; 2],
     all: &mut Derivatives,

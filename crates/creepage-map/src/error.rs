@@ -1,4 +1,4 @@
-//! Why a map does not answer, or is none.
+//! Errors of a contact map: states out of range, and damaged files.
 
 use creepage::InvalidValue;
 use creepage::table::FileError;
@@ -42,7 +42,7 @@ impl std::fmt::Display for Quantity {
     }
 }
 
-/// Why a map does not answer, or is none.
+/// Error of a map: a state out of its range, or a damaged file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MapError {
@@ -76,7 +76,7 @@ pub enum MapError {
         left: f64,
     },
     /// No derivatives: what is found does not follow what is given.
-    #[error("what is found for itself does not follow what is given: there are no derivatives")]
+    #[error("the equilibrium is singular: what it finds has no derivatives by what is given")]
     NotDifferentiable,
     /// A number out of the range of the table of ellipses.
     #[error(transparent)]

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use creepage::table::Table;
 use netcdf3::{DataSet, FileReader, FileWriter, InvalidDataSet, ReadError, Version, WriteError};
 
-use crate::answer::{Pressed, State};
+use crate::answer::{HeightOrLoad, State};
 use crate::error::MapError;
 use crate::map::{ContactMap, Head, MapAccuracy, Spread};
 use crate::normal::{HEIGHTS, HeightNode, Heights, PLACE};
@@ -122,8 +122,8 @@ impl ContactMap {
     fn own_column(&self) -> Column {
         let own = self.head.own;
         let [z, load] = match own.pressed {
-            Pressed::Height(z) => [z, f64::NAN],
-            Pressed::AxleLoad(load) => [f64::NAN, load],
+            HeightOrLoad::Height(z) => [z, f64::NAN],
+            HeightOrLoad::AxleLoad(load) => [f64::NAN, load],
         };
         let [roll, rate] = [own.roll, own.pitch_rate].map(|given| given.unwrap_or(f64::NAN));
         let State { y, yaw, speed, lateral_velocity, vertical_velocity, .. } = own;
@@ -299,7 +299,7 @@ fn own(all: &[f64]) -> Result<State, MapError> {
         return Err(MapError::Missing("own"));
     };
     let given = |value: f64| (!value.is_nan()).then_some(value);
-    let pressed = given(z).map_or(Pressed::AxleLoad(load), Pressed::Height);
+    let pressed = given(z).map_or(HeightOrLoad::AxleLoad(load), HeightOrLoad::Height);
     let (roll, pitch_rate) = (given(roll), given(rate));
     Ok(State {
         y,

@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use crate::error::MapError;
 use crate::patch::Ellipse;
 
-/// What a contact of the full theory answers.
+/// Force of the full theory at one creepage, to which ellipses are fitted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
     /// Creepage along and across, and spin (rad/m), over the coefficient of friction.
@@ -30,7 +30,7 @@ impl Sample {
     }
 }
 
-/// From what a fit starts.
+/// Start of a fit: a contact's outline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contour {
     /// Dimensionless creepage over creepage, and spin over spin (m), times the coefficient of friction: as of
@@ -42,7 +42,7 @@ pub struct Contour {
     pub across: [f64; 2],
 }
 
-/// Two ellipses, and what is left.
+/// Fitted ellipses and their residual.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fit {
     /// The ellipses.
@@ -202,7 +202,7 @@ impl Problem<'_> {
 
     /// What is left of the tangential force at each sample, and its derivatives.
     fn linearized(&self, numbers: &Numbers) -> Result<(DVector<f64>, DMatrix<f64>), MapError> {
-        const STEP: f64 = 1e-4;
+        const DIFFERENCE_STEP: f64 = 1e-4;
         let ellipses = self.ellipses(numbers);
         let rows = 2 * self.samples.len();
         let (mut left, mut by) = (DVector::zeros(rows), DMatrix::zeros(rows, 9));
@@ -212,8 +212,11 @@ impl Problem<'_> {
                 let (force, slopes) = self.of(ellipse, sample)?;
                 // Along the ratio by a difference, towards the middle of its range.
                 let ratio = numbers[4 * e];
-                let step =
-                    if ratio > self.ratios[0].midpoint(self.ratios[1]) { -STEP } else { STEP };
+                let step = if ratio > self.ratios[0].midpoint(self.ratios[1]) {
+                    -DIFFERENCE_STEP
+                } else {
+                    DIFFERENCE_STEP
+                };
                 let share = sample.weight * ellipse.weight;
                 let beside = Ellipse { ratio: (ratio + step).exp(), ..*ellipse };
                 let (moved, _) = self.of(&beside, sample)?;
@@ -252,7 +255,7 @@ impl Problem<'_> {
 
     /// Levenberg and Marquardt in the first `free` numbers; with four, both ellipses are one.
     fn solve(&self, start: Numbers, free: usize) -> Result<(Numbers, f64), MapError> {
-        const STEPS: usize = 60;
+        const MAX_FIT_STEPS: usize = 60;
         const SMALL: f64 = 1e-4;
         let same = |mut numbers: Numbers| {
             if free == 4 {
@@ -265,7 +268,7 @@ impl Problem<'_> {
         let mut at = same(start);
         let mut squares = self.squares(&at)?;
         let mut damping = 1e-3;
-        for _ in 0..STEPS {
+        for _ in 0..MAX_FIT_STEPS {
             let (left, mut by) = self.linearized(&at)?;
             if free == 4 {
                 for k in 0..4 {

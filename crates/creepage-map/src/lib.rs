@@ -11,13 +11,13 @@
 //! pure function of the state, without allocation; a map may be shared between threads.
 //!
 //! ```no_run
-//! use creepage_map::{ContactMap, Pressed, State};
+//! use creepage_map::{ContactMap, HeightOrLoad, State};
 //! let map = ContactMap::from_bytes(std::fs::read("wheelset.nc")?)?;
 //! let state = State {
 //!     y: 0.003,
 //!     yaw: 0.001,
 //!     roll: None,
-//!     pressed: Pressed::AxleLoad(100e3),
+//!     pressed: HeightOrLoad::AxleLoad(100e3),
 //!     speed: 30.0,
 //!     pitch_rate: None,
 //!     lateral_velocity: 0.0,
@@ -44,7 +44,7 @@ mod scalar;
 mod slopes;
 mod wheel;
 
-pub use answer::{Answer, PatchAnswer, Pressed, State, WheelAnswer};
+pub use answer::{Answer, HeightOrLoad, PatchAnswer, State, WheelAnswer};
 pub use blend::interpolated;
 pub use error::{MapError, Quantity};
 pub use fit::{Contour, Fit, Sample, fit};

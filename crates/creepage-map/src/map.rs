@@ -1,19 +1,19 @@
-//! The contact map of a wheelset, and how it is asked.
+//! Contact map of a wheelset: its two wheels, its accuracy, and its evaluation with derivatives.
 
 use std::sync::Arc;
 
 use creepage::table::Table;
 
 use crate::Side;
-use crate::answer::{Answer, Pressed, State, WheelAnswer};
-use crate::equilibrium::{PITCH, ROLL, Unknowns, Z, follow};
+use crate::answer::{Answer, HeightOrLoad, State, WheelAnswer};
+use crate::equilibrium::{PITCH, ROLL, Unknowns, Z, implicit_derivatives};
 use crate::error::{MapError, Quantity};
 use crate::normal::Placed;
-use crate::patch::{Asked, cross};
+use crate::patch::{WheelsetState, cross};
 use crate::scalar::{Dual, Scalar};
 use crate::wheel::{WheelActs, WheelMap};
 
-/// What a map knows of its wheelset.
+/// Description of the wheelset in a map's file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Head {
     /// Height of the axle over the track at `z = 0` (m).
@@ -177,7 +177,7 @@ impl ContactMap {
     /// are missing.
     pub fn solve_wheel(&self, side: Side, state: &State) -> Result<WheelAnswer, MapError> {
         self.check(state)?;
-        let (Pressed::Height(z), Some(roll), Some(rate)) =
+        let (HeightOrLoad::Height(z), Some(roll), Some(rate)) =
             (state.pressed, state.roll, state.pitch_rate)
         else {
             return Err(MapError::NoLoad);
@@ -215,7 +215,7 @@ impl ContactMap {
             let parts = wheel.force.iter().chain(&wheel.moment);
             rows.iter_mut().zip(parts).for_each(|(row, part)| *row = part.d);
         }
-        follow(state, &wheels, &mut all)?;
+        implicit_derivatives(state, &wheels, &mut all)?;
         Ok((answer, all))
     }
 
@@ -312,8 +312,8 @@ impl ContactMap {
         within(Quantity::Yaw, state.yaw, [-yaw, yaw])?;
         within(Quantity::Speed, state.speed, [f64::MIN_POSITIVE, 1e6])?;
         let pressed = match state.pressed {
-            Pressed::Height(z) => z,
-            Pressed::AxleLoad(load) => {
+            HeightOrLoad::Height(z) => z,
+            HeightOrLoad::AxleLoad(load) => {
                 let most = self.wheels.iter().flat_map(|wheel| wheel.loads()).fold(0.0, f64::max);
                 within(Quantity::Load, 0.5 * load, [0.0, most])?;
                 load
@@ -336,15 +336,15 @@ impl ContactMap {
         let free = || self.wheels[1].heights.free_roll(state.y, self.head.radius);
         let mut roll = state.roll.unwrap_or_else(free);
         let mut z = match state.pressed {
-            Pressed::Height(z) => z,
-            Pressed::AxleLoad(_) => 0.0,
+            HeightOrLoad::Height(z) => z,
+            HeightOrLoad::AxleLoad(_) => 0.0,
         };
-        if matches!((state.pressed, state.roll), (Pressed::Height(_), Some(_))) {
+        if matches!((state.pressed, state.roll), (HeightOrLoad::Height(_), Some(_))) {
             return Ok([z, roll, rate]);
         }
         let mut loads = match state.pressed {
-            Pressed::AxleLoad(load) => 0.5 * load,
-            Pressed::Height(_) => self.wheels[0].loads().sum::<f64>() / 5.0,
+            HeightOrLoad::AxleLoad(load) => 0.5 * load,
+            HeightOrLoad::Height(_) => self.wheels[0].loads().sum::<f64>() / 5.0,
         };
         for _ in 0..ROUNDS {
             let height = |side| {
@@ -359,9 +359,9 @@ impl ContactMap {
                 roll -= 0.5 * (left - right) / self.head.half_distance;
             }
             match state.pressed {
-                Pressed::AxleLoad(_) => z = left.midpoint(right),
+                HeightOrLoad::AxleLoad(_) => z = left.midpoint(right),
                 // Deeper by so much: about as the power 3/2 of some 60 um.
-                Pressed::Height(z) => {
+                HeightOrLoad::Height(z) => {
                     let deeper = (z - left.midpoint(right)) / 60e-6;
                     loads *= (1.5 * deeper).clamp(-1.0, 1.0).exp();
                 }
@@ -372,11 +372,11 @@ impl ContactMap {
 }
 
 /// What its patches are asked with, on the right-hand image.
-fn asked<S: Scalar>(head: &Head, side: Side, image: &Numbers<S>) -> Asked<S> {
+fn asked<S: Scalar>(head: &Head, side: Side, image: &Numbers<S>) -> WheelsetState<S> {
     let (roll, yaw) = (image.roll.sin_cos(), image.yaw.sin_cos());
     // The axle's turning, yawed, then rolled.
     let [x, y] = [image.pitch_rate * yaw.0, -image.pitch_rate * yaw.1];
-    Asked {
+    WheelsetState {
         centre: [image.y, image.z - head.radius],
         roll,
         yaw,
@@ -418,8 +418,8 @@ impl WheelMap {
         [place, load]: [f64; 2],
     ) -> Result<WheelAnswer, MapError> {
         let z = match state.pressed {
-            Pressed::Height(z) => z,
-            Pressed::AxleLoad(_) => return Err(MapError::NoLoad),
+            HeightOrLoad::Height(z) => z,
+            HeightOrLoad::AxleLoad(_) => return Err(MapError::NoLoad),
         };
         let given = [z, state.roll.unwrap_or(0.0), state.pitch_rate.unwrap_or(0.0)];
         let asked = asked(head, Side::Right, &numbers::<f64>(state, given));

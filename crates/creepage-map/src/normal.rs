@@ -1,4 +1,4 @@
-//! Where a wheel stands under its load.
+//! Height of a wheel over place and load, with what roll and yaw do to it.
 
 use crate::blend::{Cubic, cubic_weights};
 use crate::error::{MapError, Quantity};
@@ -75,7 +75,7 @@ pub struct Heights {
     powers: [f64; HEIGHTS],
 }
 
-/// A wheel as it stands, before its load is known.
+/// Wheel in its pose, before its load is known.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Placed<S> {
     /// The coordinate without what turns move the contact by (m).
@@ -101,7 +101,7 @@ impl<S: Scalar> Placed<S> {
 
 /// Where a wheel has one of the loads of [`Heights::loads`].
 #[derive(Debug, Clone, Copy)]
-struct Level<S> {
+struct LoadedPlace<S> {
     /// Place in the map (m).
     place: S,
     /// Height (m).
@@ -199,14 +199,14 @@ impl Heights {
     }
 
     /// Where the wheel has the load number `k` of [`Heights::loads`].
-    fn level<S: Scalar>(&self, placed: &Placed<S>, k: usize) -> Level<S> {
+    fn level<S: Scalar>(&self, placed: &Placed<S>, k: usize) -> LoadedPlace<S> {
         let weights = placed.weights;
         let (mut place, mut height) = (placed.plain, weights.of(|n| self.nodes[n].heights[k]));
         for (turn, weight) in placed.turns.into_iter().enumerate() {
             place = place + weight * weights.of(|n| self.nodes[n].turned[turn].aside[k]);
             height = height + weight * weights.of(|n| self.nodes[n].turned[turn].lowered[k]);
         }
-        Level { place, height }
+        LoadedPlace { place, height }
     }
 
     /// Height (m) of a wheel under a load (N) and its place in the map, nearly: between those of the loads beside

@@ -1,4 +1,4 @@
-//! One place of contact at one node: where it lies, and the two ellipses whose forces it has.
+//! Contact patch at one node: where it lies, and the two equivalent ellipses whose forces it has.
 
 use creepage::table::{Shape, Slice, Table};
 
@@ -109,9 +109,9 @@ pub(crate) struct Prepared {
     shapes: [Shape; 2],
 }
 
-/// What all patches of a wheel are asked with, on the right-hand image.
+/// Pose and motion of the wheelset, with which all patches of a wheel are asked, on the right-hand image.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Asked<S> {
+pub(crate) struct WheelsetState<S> {
     /// The wheelset's centre: lateral and vertical place (m).
     pub(crate) centre: [S; 2],
     /// Sine and cosine of roll and yaw.
@@ -127,8 +127,8 @@ pub(crate) struct Asked<S> {
     pub(crate) about: [f64; 2],
 }
 
-/// Where a patch is asked: from its node along the place, along the logarithm of the load, and the
-/// cube root of the load over the node's.
+/// Distance of a query from a node: along the place, along the logarithm of the load, and the cube root of the
+/// load over the node's.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct From<S> {
     pub(crate) place: S,
@@ -142,8 +142,8 @@ impl<S: Scalar> From<S> {
     }
 }
 
-/// What a patch does to the rail over the wheel's load: force, moment, and friction's moment about the
-/// axle; its numbers for reports.
+/// Load of a patch on the rail, over the wheel's load: force, moment, and friction's moment about the axle; its
+/// numbers for reports.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Acting<S> {
     pub(crate) force: [S; 3],
@@ -232,8 +232,8 @@ impl Prepared {
     }
 }
 
-/// A node's contact in a blend of neighbours: its weight, and from where it is asked.
-pub(crate) type Share<'a, S> = (S, &'a Prepared, From<S>);
+/// Node's contact in a blend of neighbours: its weight, and the distance of the query.
+pub(crate) type WeightedPatch<'a, S> = (S, &'a Prepared, From<S>);
 
 /// Where contacts of neighbouring nodes lie, blended.
 struct Geometry<S> {
@@ -247,7 +247,7 @@ struct Geometry<S> {
 }
 
 impl<S: Scalar> Geometry<S> {
-    fn of(nodes: &[Share<'_, S>]) -> Self {
+    fn of(nodes: &[WeightedPatch<'_, S>]) -> Self {
         let zero = S::constant(0.0);
         let (mut all, mut approach, mut centroid) = ([zero; 4], zero, [zero; 2]);
         let (mut peak_pressure, mut area) = (0.0, 0.0);
@@ -273,7 +273,11 @@ impl<S: Scalar> Geometry<S> {
 impl<S: Scalar> Acting<S> {
     /// What a contact does in a position and motion, over the wheel's load: it lies where its nodes blended have
     /// it, and the forces of each node there are blended. The weights' sum is one.
-    pub(crate) fn of(nodes: &[Share<'_, S>], table: &Table, asked: &Asked<S>) -> Self {
+    pub(crate) fn of(
+        nodes: &[WeightedPatch<'_, S>],
+        table: &Table,
+        asked: &WheelsetState<S>,
+    ) -> Self {
         let geometry = Geometry::of(nodes);
         let (share, angle, [y, z]) = (geometry.share, geometry.angle, geometry.place);
         let (sin, cos) = angle.sin_cos();

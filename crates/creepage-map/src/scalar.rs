@@ -1,4 +1,4 @@
-//! Numbers that the map is computed with: plain ones, and ones that carry derivatives.
+//! Scalars of the map: plain numbers, and dual numbers that carry derivatives (forward automatic differentiation).
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

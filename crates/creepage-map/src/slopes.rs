@@ -1,5 +1,5 @@
-//! How the contacts of a node go on beside it: slopes of their geometry and of their ellipses along the map's
-//! place and along the logarithm of the load, from the neighbouring nodes.
+//! Slopes of a node's contacts: of their geometry and of their ellipses, along the map's place and along the logarithm
+//! of the load, by differences of neighbouring nodes.
 
 use creepage::Creepage;
 use creepage::table::Table;
@@ -76,9 +76,13 @@ pub fn slopes(
 }
 
 /// Neighbours before and after, each with its distance.
-type Beside<'a> = [Option<(f64, &'a Prepared)>; 2];
+type Neighbours<'a> = [Option<(f64, &'a Prepared)>; 2];
 
-fn beside<'a>(axis: &[f64], k: usize, of: impl Fn(usize) -> Option<&'a Prepared>) -> Beside<'a> {
+fn beside<'a>(
+    axis: &[f64],
+    k: usize,
+    of: impl Fn(usize) -> Option<&'a Prepared>,
+) -> Neighbours<'a> {
     [k.checked_sub(1), Some(k + 1)].map(|beside| {
         let beside = beside?;
         Some((axis.get(beside)? - axis[k], of(beside)?))
@@ -99,7 +103,12 @@ fn parabola(differences: [Option<(f64, f64)>; 2]) -> f64 {
 }
 
 /// Slopes of the geometry of a patch along one axis.
-fn geometry(patch: &mut Patch, own: &Patch, beside: Beside<'_>, set: impl Fn(&mut Sloped, f64)) {
+fn geometry(
+    patch: &mut Patch,
+    own: &Patch,
+    beside: Neighbours<'_>,
+    set: impl Fn(&mut Sloped, f64),
+) {
     type Part = fn(&mut Patch) -> &mut Sloped;
     let parts: [Part; 4] = [|p| &mut p.y, |p| &mut p.z, |p| &mut p.angle, |p| &mut p.share];
     for part in parts {
@@ -122,7 +131,7 @@ const NUMBERS: usize = 9;
 
 impl Differences<'_> {
     /// Slopes of both ellipses; `grown` is the logarithm of the load that a step adds.
-    fn slopes(&self, beside: Beside<'_>, grown: impl Fn(f64) -> f64) -> [EllipseSlopes; 2] {
+    fn slopes(&self, beside: Neighbours<'_>, grown: impl Fn(f64) -> f64) -> [EllipseSlopes; 2] {
         let steps = beside.map(|one| one.map_or(0.0, |(step, _)| step.abs()));
         let wide = steps[0].max(steps[1]);
         if wide <= 0.0 {

@@ -5,7 +5,7 @@ use creepage::table::Table;
 use crate::blend::Hermite;
 use crate::error::{MapError, Quantity};
 use crate::normal::{Heights, Placed};
-use crate::patch::{Acting, Asked, From, Patch, Prepared, Report};
+use crate::patch::{Acting, From, Patch, Prepared, Report, WheelsetState};
 use crate::scalar::Scalar;
 
 /// Most places of contact of one wheel that are kept apart in reports.
@@ -45,14 +45,14 @@ pub struct WheelMap {
     pub(crate) errors: Vec<CellError>,
 }
 
-/// What a wheel does to its rail.
+/// Force and moments of a wheel on its rail.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WheelActs<S> {
     /// Vertical part of the normal forces (N).
     pub(crate) load: S,
     /// Force along the track's axes (N).
     pub(crate) force: [S; 3],
-    /// Moment about [`Asked::about`] (N m).
+    /// Moment about [`WheelsetState::about`] (N m).
     pub(crate) moment: [S; 3],
     /// Friction's moment about the axle (N m).
     pub(crate) axle: S,
@@ -166,7 +166,7 @@ impl WheelMap {
         &self,
         table: &Table,
         placed: &Placed<S>,
-        asked: &Asked<S>,
+        asked: &WheelsetState<S>,
     ) -> Result<WheelActs<S>, MapError> {
         match self.heights.load(placed)? {
             Some([load, place]) => self.act_under(table, place, load, asked),
@@ -180,7 +180,7 @@ impl WheelMap {
         table: &Table,
         place: S,
         load: S,
-        asked: &Asked<S>,
+        asked: &WheelsetState<S>,
     ) -> Result<WheelActs<S>, MapError> {
         let outside = |quantity, value: f64, low: f64, high: f64| {
             let inside = (low..=high).contains(&value);

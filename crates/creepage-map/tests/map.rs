@@ -6,8 +6,8 @@ mod common;
 
 use creepage::Creepage;
 use creepage_map::{
-    CellError, ContactMap, Contour, MapError, Pressed, Quantity, RollingNode, Sample, Side, State,
-    WheelMap, fit, slopes,
+    CellError, ContactMap, Contour, HeightOrLoad, MapError, Quantity, RollingNode, Sample, Side,
+    State, WheelMap, fit, slopes,
 };
 
 use common::{LOADS, RADIUS, map, node, state, table};
@@ -104,7 +104,7 @@ fn friction_scales_creepage() {
             y: 0.0,
             yaw: 0.0,
             roll: Some(0.0),
-            pressed: Pressed::Height(0.0),
+            pressed: HeightOrLoad::Height(0.0),
             speed: 1.0,
             vertical_velocity: 0.0,
             roll_rate: 0.0,
@@ -161,7 +161,7 @@ fn friction_stays_below_its_bound() {
             y,
             yaw: 0.01 * random.next(),
             roll: Some(0.02 * y + 3e-4 * random.next()),
-            pressed: Pressed::Height(30.0 * y * y + 3e-5 * random.next()),
+            pressed: HeightOrLoad::Height(30.0 * y * y + 3e-5 * random.next()),
             pitch_rate: Some(20.0 / RADIUS * (1.0 + 0.02 * random.next())),
             lateral_velocity: 0.3 * random.next(),
             yaw_rate: 0.3 * random.next(),
@@ -191,7 +191,7 @@ fn forces_and_derivatives_are_continuous() {
         let at = |y: f64| State {
             y,
             roll: Some(0.02 * y),
-            pressed: Pressed::Height(30.0 * y * y),
+            pressed: HeightOrLoad::Height(30.0 * y * y),
             ..state()
         };
         let own = |y: f64| map.height_under(Side::Right, &at(y), 40e3).unwrap()[1] - place;
@@ -231,7 +231,7 @@ fn slopes_of_nodes_meet_what_lies_between() {
         WheelMap::new(heights, &nodes, &LOADS, errors, (&table, 0.28)).unwrap()
     };
     let head = *map().head();
-    let state = State { y: 0.0, roll: Some(0.0), pressed: Pressed::Height(0.0), ..state() };
+    let state = State { y: 0.0, roll: Some(0.0), pressed: HeightOrLoad::Height(0.0), ..state() };
     let force = |wheel: &WheelMap, place: f64| {
         wheel.forces_under((&head, &table), &state, [place, 40e3]).unwrap().force
     };
@@ -282,7 +282,7 @@ fn derivatives_are_those_of_differences() {
         let mut state = own;
         match k {
             0 => state.y += h,
-            1 => state.pressed = Pressed::Height(-2e-6 + h),
+            1 => state.pressed = HeightOrLoad::Height(-2e-6 + h),
             2 => state.roll = state.roll.map(|roll| roll + h),
             3 => state.yaw += h,
             4 => state.speed += h,
@@ -315,7 +315,8 @@ fn derivatives_are_those_of_differences() {
 #[test]
 fn a_load_is_found() {
     let map = map();
-    let own = State { roll: None, pressed: Pressed::AxleLoad(90e3), pitch_rate: None, ..state() };
+    let own =
+        State { roll: None, pressed: HeightOrLoad::AxleLoad(90e3), pitch_rate: None, ..state() };
     let found = map.solve(&own).unwrap();
     assert!((found.wrench[2] + 90e3).abs() < 1.0);
     assert!((found.left.force[2] - found.right.force[2]).abs() < 1.0);
@@ -345,12 +346,17 @@ fn outside_is_an_error_that_names_the_bound() {
     assert_eq!(quantity(State { yaw: 0.02, ..state() }), Quantity::Yaw);
     assert_eq!(quantity(State { friction: 0.9, ..state() }), Quantity::Friction);
     assert_eq!(quantity(State { speed: 0.0, ..state() }), Quantity::Speed);
-    assert_eq!(quantity(State { pressed: Pressed::Height(1e-3), ..state() }), Quantity::Height);
+    assert_eq!(
+        quantity(State { pressed: HeightOrLoad::Height(1e-3), ..state() }),
+        Quantity::Height
+    );
     assert_eq!(quantity(State { roll: Some(0.004), y: 0.0, ..state() }), Quantity::Roll);
-    let light = State { pressed: Pressed::Height(-9.5e-5), y: 0.0, roll: Some(0.0), ..state() };
+    let light =
+        State { pressed: HeightOrLoad::Height(-9.5e-5), y: 0.0, roll: Some(0.0), ..state() };
     assert_eq!(quantity(light), Quantity::Load);
     // A wheelset in the air is no error.
-    let hanging = State { pressed: Pressed::Height(-1e-3), y: 0.0, roll: Some(0.0), ..state() };
+    let hanging =
+        State { pressed: HeightOrLoad::Height(-1e-3), y: 0.0, roll: Some(0.0), ..state() };
     assert_eq!(map.solve(&hanging).unwrap().wrench, [0.0; 6].map(|zero: f64| -zero));
 }
 

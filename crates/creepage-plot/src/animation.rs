@@ -3,9 +3,8 @@
 
 use png::{BitDepth, BlendOp, ColorType, Encoder};
 
-use crate::error::PlotError;
 use crate::palette::{Palette, UNCHANGED};
-use crate::raster::pixels;
+use crate::raster::{PlotError, pixels};
 
 /// Pictures from which the colours of all are taken.
 const SAMPLES: usize = 4;

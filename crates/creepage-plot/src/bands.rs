@@ -20,7 +20,7 @@ const SHADES: [&str; MAX_LEVELS + 1] =
 const CONTOUR: Pen = Pen { colour: "#3f6288", dashes: "", width: 0.8 };
 /// Rings of equal area, and points on each, that give the range of the quantity.
 const RINGS: u32 = 25;
-const POINTS: u32 = 48;
+const POINTS_PER_RING: u32 = 48;
 /// Share of the area below the highest level of a quantity that has no largest value.
 const SHOWN: f64 = 0.9;
 
@@ -50,8 +50,9 @@ impl Bands {
     pub fn over([from, to]: [Point; 2], quantity: impl Fn(Point) -> f64) -> Self {
         let at =
             |square: Point| [0, 1].map(|i| from[i] + 0.5 * (1.0 + square[i]) * (to[i] - from[i]));
-        let side = |k: u32| 2.0 * f64::from(k) / f64::from(POINTS) - 1.0;
-        let places = (0..=POINTS).flat_map(|j| (0..=POINTS).map(move |i| [side(i), side(j)]));
+        let side = |k: u32| 2.0 * f64::from(k) / f64::from(POINTS_PER_RING) - 1.0;
+        let places = (0..=POINTS_PER_RING)
+            .flat_map(|j| (0..=POINTS_PER_RING).map(move |i| [side(i), side(j)]));
         let mut values: Vec<_> = places.map(|place| quantity(at(place))).collect();
         values.sort_unstable_by(f64::total_cmp);
         let levels = match (values.first(), values.last()) {
@@ -148,8 +149,8 @@ fn last(count: usize, share: f64) -> usize {
 fn rings() -> impl Iterator<Item = Point> {
     (0..RINGS).flat_map(|ring| {
         let radius = ((f64::from(ring) + 0.5) / f64::from(RINGS)).sqrt();
-        (0..POINTS).map(move |k| {
-            let (sin, cos) = (TAU * f64::from(k) / f64::from(POINTS)).sin_cos();
+        (0..POINTS_PER_RING).map(move |k| {
+            let (sin, cos) = (TAU * f64::from(k) / f64::from(POINTS_PER_RING)).sin_cos();
             [radius * cos, radius * sin]
         })
     })

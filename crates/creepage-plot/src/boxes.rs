@@ -1,10 +1,9 @@
-//! Where everything in a picture is: what tests ask whether it is legible.
+//! Bounding boxes of everything in a picture: what tests ask whether it is legible.
 
 use resvg::usvg::{Group, Node, Rect};
 
 use crate::clip::Frame;
-use crate::error::PlotError;
-use crate::raster::tree;
+use crate::raster::{PlotError, tree};
 
 /// The boxes around the texts and the shapes of a picture, in units of its sheet.
 #[derive(Debug, Clone)]

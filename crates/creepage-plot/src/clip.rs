@@ -1,4 +1,4 @@
-//! What of a line lies in a frame.
+//! Clipping of lines to a frame.
 
 use crate::scene::Point;
 

@@ -1,4 +1,4 @@
-//! Numbers as people read them.
+//! Number formatting for readers.
 
 /// SI prefixes and their powers of ten.
 const PREFIXES: [(i32, &str); 9] =

@@ -1,4 +1,4 @@
-//! The words above a picture.
+//! Title block above a picture.
 
 use crate::ink::Ink;
 use crate::label::Label;

@@ -1,8 +1,8 @@
-//! How shapes are filled and outlined.
+//! Fill and outline of shapes.
 
 use std::fmt::Write as _;
 
-/// How a shape is filled and outlined.
+/// Fill and outline of a shape.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Ink {
     fill: Option<&'static str>,

@@ -12,7 +12,7 @@ const SAMPLE: f64 = 44.0;
 /// White between a sample and its words, and between words and the next sample.
 const GAPS: [f64; 2] = [9.0, 24.0];
 
-/// What an entry of a legend shows.
+/// Sample of a legend's entry.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Sample {
     /// Nothing: the words stand by themselves.

@@ -18,7 +18,7 @@ const PENS: [(&str, &str, f64); 10] = [
     ("#ad1457", "6 3 6 3 2 3", 2.2),
 ];
 
-/// How a line is drawn.
+/// Pen of a line: colour, dashes, width.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pen {
     /// As SVG has it: `#10243a`.
@@ -72,7 +72,7 @@ pub enum Shape {
     Target,
 }
 
-/// How a point is marked.
+/// Marker of a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mark {
     /// Its outline.
@@ -125,7 +125,7 @@ impl Mark {
     }
 }
 
-/// How an area is filled.
+/// Fill of an area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Fill {
     /// As SVG has it.

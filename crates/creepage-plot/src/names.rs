@@ -1,4 +1,4 @@
-//! Names of curves beside their last points.
+//! Placement of curve names beside their last points.
 
 use crate::clip::Frame;
 use crate::label::Label;

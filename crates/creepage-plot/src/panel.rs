@@ -1,4 +1,4 @@
-//! One frame with its axes, and what is drawn in it.
+//! Panel: one frame with its axes, and what is drawn in it.
 
 use crate::axis::Axis;
 use crate::clip::{Frame, clip};

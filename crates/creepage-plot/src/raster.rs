@@ -1,11 +1,8 @@
 //! SVG to PNG, with the font carried along: the same bytes on every machine.
 
-use std::sync::Arc;
-
 use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::{Options, Tree, fontdb};
-
-use crate::error::PlotError;
+use resvg::usvg::{self, Options, Tree, fontdb};
+use std::sync::Arc;
 
 /// Family that the scenes ask for; one of its faces.
 pub(crate) const FONT_FAMILY: &str = "DejaVu Sans";
@@ -50,6 +47,29 @@ pub(crate) fn tree(svg: &str) -> Result<Tree, PlotError> {
     let options =
         Options { font_family: FONT_FAMILY.into(), fontdb: Arc::new(fonts), ..Options::default() };
     Ok(Tree::from_str(svg, &options)?)
+}
+
+/// Error of a rasterization.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum PlotError {
+    /// The picture could not be read back for rasterising.
+    #[error("cannot read the picture back: {0}")]
+    Picture(#[from] usvg::Error),
+    /// The picture could not be turned into pixels.
+    #[error("cannot make a picture of {width} x {height} pixels")]
+    Pixels {
+        /// Width (pixels).
+        width: u32,
+        /// Height (pixels).
+        height: u32,
+    },
+    /// An animation has no pictures.
+    #[error("an animation needs a picture")]
+    NoPicture,
+    /// An animation could not be put together.
+    #[error("cannot put the pictures of an animation together: {0}")]
+    Animation(#[from] png::EncodingError),
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use crate::raster::FONT_FAMILY;
 /// A place on the sheet with `y` downwards, or in units of a panel's axes.
 pub type Point = [f64; 2];
 
-/// Which part of a label its place names.
+/// Anchor of a label: the part of it that its place names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
     /// Its left end.
@@ -21,7 +21,7 @@ pub enum Anchor {
     End,
 }
 
-/// How a label is set.
+/// Typeface of a label.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Type {
     pub(crate) size: f64,

@@ -1,4 +1,4 @@
-//! The colours of all pictures, and the white around them.
+//! Colours of all pictures, and the margin around them.
 
 /// Text and outlines.
 pub const DARK: &str = "#17212b";

@@ -1,4 +1,4 @@
-//! A ball bearing by its file.
+//! Python class of a ball bearing's file, and its solution.
 
 use std::path::PathBuf;
 

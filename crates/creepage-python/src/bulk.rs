@@ -1,11 +1,11 @@
-//! Many rows, each of which is a case or says why it is none: of one case in SI units, or of
+//! Bulk solution of many rows, each of which is a case or says why it is none: of one case in SI units, or of
 //! dimensionless contacts and creepages.
 
 use std::ops::Range;
 
 use creepage::Creepage;
 use creepage_study::{
-    BulkCase, BulkColumn, Caution, Damage, Question, Reply, RowError, Solver, Varied,
+    BulkCase, BulkColumn, BulkQuery, Caution, Damage, Reply, RowError, Solver, Varied,
 };
 use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::prelude::*;
@@ -98,14 +98,14 @@ pub(crate) fn row_forces<'py>(
     let (solver, cost) = solver(py, theory, options, table.as_deref())?;
     let inputs = Inputs::new(py, CONTACT, columns)?;
     let columns = inputs.columns()?;
-    let question = |row: usize| -> Result<Question, RowError> {
+    let query = |row: usize| -> Result<BulkQuery, RowError> {
         let [a_over_b, poisson, kappa_over_mu, xi, eta, chi] =
             columns.each_ref().map(|column| column.at(row));
         let contact = crate::options::contact(a_over_b, poisson, kappa_over_mu)?;
-        Ok(Question { contact, creepage: Creepage::new(xi, eta, chi)?, touches: true })
+        Ok(BulkQuery { contact, creepage: Creepage::new(xi, eta, chi)?, touches: true })
     };
-    let one = |row: usize| solver.solve_one(&question(row)?);
-    let many = |rows: Range<usize>| solver.solve(rows.map(question).collect());
+    let one = |row: usize| solver.solve_one(&query(row)?);
+    let many = |rows: Range<usize>| solver.solve(rows.map(query).collect());
     let answers = run(py, inputs.shape.iter().product(), cost, one, many)?;
     let mut found = Columns::new(&[], solver.error_bars());
     for answer in answers {

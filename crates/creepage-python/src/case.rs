@@ -1,4 +1,4 @@
-//! A case in SI units, from the text of a case file to its report.
+//! Python class of a case in SI units, from the text of a case file to its report.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
@@ -205,8 +205,8 @@ impl CaseData {
         let left_out = measured.left_out();
         let file = AnyCaseFile::Ellipse(Box::new(self.file.clone()));
         let fit = signals::stoppable(py, move |stop| {
-            let mut go_on = || !stop.load(Ordering::Relaxed);
-            Fit::new(&file, "".as_ref(), &spec, &measured, FitOptions { slope }, &mut go_on)
+            let mut proceeds = || !stop.load(Ordering::Relaxed);
+            Fit::new(&file, "".as_ref(), &spec, &measured, FitOptions { slope }, &mut proceeds)
         })?;
         let fit = fit.map_err(|error| errors::fit(py, error))?;
         Ok((fit.json().to_string(), left_out))

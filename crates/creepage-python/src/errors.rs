@@ -244,7 +244,7 @@ pub(crate) fn in_section(py: Python, message: String, section: &'static str) -> 
     exception(py, "CaseError", (message, Some(section)))
 }
 
-/// A contact of any shape that is none, or wanted forces out of reach.
+/// Invalid contact of any shape, or unattainable forces.
 pub(crate) fn gap(py: Python, error: GapCaseError) -> PyErr {
     let message = error.to_string();
     let section = match error {
@@ -261,7 +261,7 @@ pub(crate) fn gap(py: Python, error: GapCaseError) -> PyErr {
     exception(py, "CaseError", (message, Some(section)))
 }
 
-/// A case that does not roll, or a motion that is none.
+/// Case that cannot roll, or invalid motion.
 pub(crate) fn history(py: Python, error: HistoryError) -> PyErr {
     let message = error.to_string();
     match error {

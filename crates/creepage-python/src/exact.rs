@@ -1,4 +1,4 @@
-//! The full theory, and what only it can be asked.
+//! Python class of the full theory, with what it alone can be asked.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! Contacts of any shape.
+//! Python class of contacts of any shape.
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};

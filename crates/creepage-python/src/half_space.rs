@@ -1,4 +1,4 @@
-//! The load-displacement equations of chapters 2 and 3, both ways.
+//! Python class of the load-displacement equations of chapters 2 and 3, both ways.
 
 use creepage::halfspace::{
     DisplacementField, DisplacementLoad, Edge, LoadDisplacement, Polynomial, ResponseError,

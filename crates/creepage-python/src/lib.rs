@@ -12,7 +12,6 @@ mod errors;
 mod exact;
 mod gap;
 mod half_space;
-mod integrand;
 mod map;
 mod mesh;
 mod number;

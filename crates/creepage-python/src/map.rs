@@ -1,4 +1,4 @@
-//! Contact maps of wheelsets: built, kept in a file, asked.
+//! Python class of contact maps of wheelsets: built, kept in a file, asked.
 
 use std::fs;
 use std::io::Write;
@@ -120,8 +120,8 @@ impl ContactMapData {
     fn own(&self) -> [f64; 4] {
         let own = self.map.head().own;
         let z = match own.pressed {
-            creepage_map::Pressed::Height(z) => z,
-            creepage_map::Pressed::AxleLoad(_) => f64::NAN,
+            creepage_map::HeightOrLoad::Height(z) => z,
+            creepage_map::HeightOrLoad::AxleLoad(_) => f64::NAN,
         };
         [own.y, z, own.roll.unwrap_or(f64::NAN), own.yaw]
     }

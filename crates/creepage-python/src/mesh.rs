@@ -1,4 +1,4 @@
-//! Positions in the contact at which a field is asked for.
+//! Positions of a field's points, from Python's arrays.
 
 use creepage::Ellipse;
 use pyo3::exceptions::{PyMemoryError, PyValueError};

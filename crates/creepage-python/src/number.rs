@@ -1,4 +1,4 @@
-//! Numbers as Python has them: floats, or anything of which NumPy makes an array of floats.
+//! Broadcast arguments: numbers, or anything of which NumPy makes an array of floats.
 
 use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -28,11 +28,11 @@ impl<'py> FromPyObject<'_, 'py> for Number<'py> {
 /// The numbers of a call, broadcast to one shape.
 pub(crate) struct Inputs<'py, const N: usize> {
     pub(crate) shape: Vec<usize>,
-    held: [Held<'py>; N],
+    held: [Argument<'py>; N],
 }
 
 /// One argument: the same number for all elements, or one each in C order.
-enum Held<'py> {
+enum Argument<'py> {
     One(f64),
     Many(PyReadonlyArrayDyn<'py, f64>),
 }
@@ -79,7 +79,7 @@ impl<'py, const N: usize> Inputs<'py, N> {
         let mut held = Vec::with_capacity(N);
         for array in arrays {
             held.push(match array {
-                Err(value) => Held::One(value),
+                Err(value) => Argument::One(value),
                 Ok(array) => hold(py, array, &shape)?,
             });
         }
@@ -90,8 +90,8 @@ impl<'py, const N: usize> Inputs<'py, N> {
     /// The numbers, when there is only one of each.
     pub(crate) fn scalars(&self) -> Option<[f64; N]> {
         let values = self.held.each_ref().map(|held| match held {
-            Held::One(value) => *value,
-            Held::Many(_) => f64::NAN,
+            Argument::One(value) => *value,
+            Argument::Many(_) => f64::NAN,
         });
         self.shape.is_empty().then_some(values)
     }
@@ -100,8 +100,8 @@ impl<'py, const N: usize> Inputs<'py, N> {
         let mut columns = [Column::One(f64::NAN); N];
         for (column, held) in columns.iter_mut().zip(&self.held) {
             *column = match held {
-                Held::One(value) => Column::One(*value),
-                Held::Many(array) => Column::Many(array.as_slice()?),
+                Argument::One(value) => Column::One(*value),
+                Argument::Many(array) => Column::Many(array.as_slice()?),
             };
         }
         Ok(columns)
@@ -154,9 +154,9 @@ fn hold<'py>(
     py: Python<'py>,
     array: Bound<'py, PyArrayDyn<f64>>,
     shape: &[usize],
-) -> PyResult<Held<'py>> {
+) -> PyResult<Argument<'py>> {
     if array.ndim() == 0 {
-        return Ok(Held::One(array.extract()?));
+        return Ok(Argument::One(array.extract()?));
     }
     let numpy = py.import("numpy")?;
     let mut array = array.into_any();
@@ -164,7 +164,7 @@ fn hold<'py>(
         array = numpy.call_method1("broadcast_to", (array, PyTuple::new(py, shape)?))?;
     }
     let in_order = numpy.call_method1("require", (array, numpy.getattr("float64")?, "CA"))?;
-    Ok(Held::Many(in_order.cast_into::<PyArrayDyn<f64>>()?.try_readonly()?))
+    Ok(Argument::Many(in_order.cast_into::<PyArrayDyn<f64>>()?.try_readonly()?))
 }
 
 /// NumPy's rule: sizes of one stretch, others must agree, from the last dimension on.

@@ -1,4 +1,4 @@
-//! What a theory is made with: a contact and a specification, by the words of case files.
+//! Arguments of a theory's constructor: a contact and a specification, by the words of case files.
 
 use creepage::{Contact, Ellipse, InvalidValue, TheorySpec};
 use creepage_study::theory_spec;

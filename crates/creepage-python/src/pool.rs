@@ -1,4 +1,4 @@
-//! The threads that share the work of an array.
+//! Thread pool that shares the work of an array.
 
 use std::process;
 use std::sync::{Arc, Mutex, PoisonError};

@@ -1,4 +1,4 @@
-//! Contacts that roll unsteadily: step by step, and whole histories.
+//! Python class of transient rolling: step by step, and whole histories.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 

@@ -1,4 +1,4 @@
-//! Long work of a single call: Ctrl-C is answered while it goes on.
+//! Signal checks during long work of a single call: Ctrl-C is answered while it goes on.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -1,4 +1,4 @@
-//! Problems without rolling, by their files.
+//! Python class of problems without rolling, by their files.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! Sweeps: series of cases of the numerical theory, chain by chain.
+//! Python class of sweeps: series of cases of the numerical theory, chain by chain.
 
 use std::ops::Range;
 
@@ -70,10 +70,10 @@ impl SweepData {
             let mut chains: Vec<_> = chains.map(|number| (self.start(number), vec![])).collect();
             for done in (0..length).step_by(CASES) {
                 let cases = done..length.min(done + CASES);
-                let go_on = |(chain, found): &mut (_, Vec<_>)| {
-                    self.go_on(chain, found, cases.clone());
+                let solve = |(chain, found): &mut (_, Vec<_>)| {
+                    self.solve_cases(chain, found, cases.clone());
                 };
-                py.detach(|| pool.install(|| chains.par_iter_mut().for_each(go_on)));
+                py.detach(|| pool.install(|| chains.par_iter_mut().for_each(solve)));
                 py.check_signals()?;
             }
             rows.extend(chains.into_iter().flat_map(|(_, found)| found));
@@ -93,7 +93,7 @@ impl SweepData {
     }
 
     /// Solves some of a chain's cases, which follow those before.
-    fn go_on(
+    fn solve_cases(
         &self,
         (chain, first): &mut (Chain<'_>, usize),
         found: &mut Vec<SeriesRow>,

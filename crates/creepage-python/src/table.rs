@@ -1,4 +1,4 @@
-//! Tables of creep force: built, kept in a file, looked up.
+//! Python class of tables of creep force: built, kept in a file, looked up.
 
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};

@@ -1,4 +1,4 @@
-//! Building a table, open to Ctrl-C.
+//! Construction of a table, open to Ctrl-C.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -56,7 +56,7 @@ pub(crate) fn build(py: Python, spec: &Spec, theory: &TheorySpec) -> PyResult<Ta
                 let valid = "not stopped";
                 return Err(InvalidValue { quantity: "building", value: 0.0, valid }.into());
             }
-            Ok(Box::new(Asked { theory: theory.prepare(contact)?, stop }) as Box<_>)
+            Ok(Box::new(InterruptibleTheory { theory: theory.prepare(contact)?, stop }) as Box<_>)
         };
         pool.install(|| table::build(spec, prepare, &|| {}))
     })?;
@@ -68,12 +68,12 @@ pub(crate) fn build(py: Python, spec: &Spec, theory: &TheorySpec) -> PyResult<Ta
 }
 
 /// A theory that, once stopped, answers with nothing.
-struct Asked {
+struct InterruptibleTheory {
     theory: Box<dyn Theory>,
     stop: Arc<AtomicBool>,
 }
 
-impl Theory for Asked {
+impl Theory for InterruptibleTheory {
     fn contact(&self) -> &Contact {
         self.theory.contact()
     }

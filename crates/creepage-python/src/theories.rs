@@ -1,4 +1,4 @@
-//! A class a theory: what it is, and what it is made with.
+//! Python classes of the theories: their facts and constructors.
 
 use pyo3::PyClass;
 use pyo3::prelude::*;

@@ -1,18 +1,18 @@
-//! What every prepared theory can be asked.
+//! Python base class of every prepared theory.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
-
+use crate::batch::{Answers, Row, solve_all};
+use crate::number::{Inputs, Number};
+use crate::{errors, mesh, options, results, signals};
 use creepage::theory::{NamedResolution, ResolutionSpec};
+use creepage::variational::{
+    IntegrandArguments, IntegrandTerms, Settings, Variational, VariationalError,
+};
 use creepage::{Contact, Creepage, Solution, TheorySpec};
 use creepage_study::Caution;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
-
-use crate::batch::{Answers, Row, solve_all};
-use crate::integrand::{self, Raised};
-use crate::number::{Inputs, Number};
-use crate::{errors, mesh, options, results, signals};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 const NAMES: [&str; 3] = ["xi", "eta", "chi"];
 /// Seconds below which letting other threads run costs more than it gives.
@@ -107,8 +107,8 @@ impl<'py> Call<'py> {
         if let (TheorySpec::Variational(options), Some(function)) = (&self.spec, &self.integrand) {
             let function = function.clone_ref(py);
             let (made, raised) =
-                integrand::prepare(py, &self.contact, options.settings(), function);
-            integrand::check(&raised)?;
+                prepare_own_integrand(py, &self.contact, options.settings(), function);
+            check_raised(&raised)?;
             let made = made.map_err(|error| errors::theory(py, error.into()))?;
             return Ok(Theory { raised, ..self.theory(name, Arc::new(made), cost) });
         }
@@ -174,7 +174,7 @@ impl Theory {
             QUICK..LONG => py.detach(solve),
             _ => signals::answered(py, solve)?,
         };
-        integrand::check(&self.raised)?;
+        check_raised(&self.raised)?;
         self.warn_of_accuracy(py, 1, self.missed(&solution))?;
         results::force(py, &solution)
     }
@@ -200,7 +200,7 @@ impl Theory {
             return results::forces_with_errors(py, answers);
         }
         let rows = self.rows(py, inputs, results::row)?;
-        integrand::check(&self.raised)?;
+        check_raised(&self.raised)?;
         results::forces(py, rows)
     }
 
@@ -303,7 +303,7 @@ impl Theory {
             mesh::given(py, [x.unwrap_or(zero), y.unwrap_or(Number::One(0.0))])?
         };
         let found = py.detach(|| self.prepared.field(creepage, &positions));
-        integrand::check(&self.raised)?;
+        check_raised(&self.raised)?;
         results::field(py, &shape, ellipse, &found)
     }
 
@@ -345,4 +345,40 @@ impl DifferentiableTheory {
         })?;
         answers.stacked(py, &[3, 3])
     }
+}
+
+/// The first exception of a function that is asked where none can be raised.
+pub(crate) type Raised = Arc<Mutex<Option<PyErr>>>;
+
+/// Chapter 5 with the integrand `function(x, y, a, b, t, s)`, which gives `f` and its derivatives
+/// `f*`, `f.`, `f**`, `f*.`, `f..`.
+fn prepare_own_integrand(
+    py: Python,
+    contact: &Contact,
+    settings: Settings,
+    function: Py<PyAny>,
+) -> (Result<Variational, VariationalError>, Raised) {
+    let raised = Raised::default();
+    let kept = Arc::clone(&raised);
+    let integrand = move |at| asked(&function, &kept, at);
+    (py.detach(|| Variational::with_integrand(contact, settings, integrand)), raised)
+}
+
+/// Raises what the function has raised since the last time.
+fn check_raised(raised: &Raised) -> PyResult<()> {
+    let error = raised.lock().unwrap_or_else(PoisonError::into_inner).take();
+    error.map_or(Ok(()), Err)
+}
+
+/// What the function answers; no numbers once it raises, which end the iteration.
+fn asked(function: &Py<PyAny>, raised: &Raised, at: IntegrandArguments) -> IntegrandTerms {
+    let ([x, y], [a, b]) = (at.position, at.semi_axes);
+    let answer = Python::attach(|py| -> PyResult<[f64; 6]> {
+        function.call1(py, (x, y, a, b, at.t, at.s))?.extract(py)
+    });
+    let [f, t, s, tt, ts, ss] = answer.unwrap_or_else(|error| {
+        raised.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+        [f64::NAN; 6]
+    });
+    IntegrandTerms { f, t, s, tt, ts, ss }
 }

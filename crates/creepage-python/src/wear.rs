@@ -1,4 +1,4 @@
-//! Wear over a distance.
+//! Python class of wear over a distance.
 
 use std::path::PathBuf;
 use std::sync::Mutex;

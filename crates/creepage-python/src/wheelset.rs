@@ -1,4 +1,4 @@
-//! Wheelsets by their files.
+//! Python class of wheelsets by their files.
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -1,13 +1,13 @@
-//! Equivalent conicity of EN 15302.
+//! Equivalent conicity of EN 15302: from the difference of rolling radii, integrated over a wave of the wheelset.
 
 use crate::search::threshold;
 use crate::{GeometryError, WheelsetOnTrack};
 
 /// Points of the integral over half a wave.
-const POINTS: usize = 2000;
+const PHASES: usize = 2000;
 /// Spacing of the radius difference that is integrated, linear between (m): the standard's own.
 /// Next to a jump of contact the conicity depends on it.
-const STEP: f64 = 1e-4;
+const DIFFERENCE_SPACING: f64 = 1e-4;
 /// Rounding of the radius difference (m).
 const ROUNDING: f64 = 1e-12;
 
@@ -28,7 +28,7 @@ pub struct RadiusDifference {
     ends: [Option<GeometryError>; 2],
 }
 
-/// Amplitudes that the profiles do not hold.
+/// Error of an amplitude that the profiles do not hold.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ConicityError {
@@ -75,7 +75,7 @@ impl WheelsetOnTrack {
         let centre = self.radius_difference(0.0, roll)?;
         let [left, right] = [-1.0, 1.0].map(|sense| self.walk(sense, reach, roll));
         let ((mut values, first), (right, last)) = (left?, right?);
-        let from = -STEP * values.len() as f64;
+        let from = -DIFFERENCE_SPACING * values.len() as f64;
         values.reverse();
         values.push(centre);
         values.extend(right);
@@ -92,10 +92,10 @@ impl WheelsetOnTrack {
         reach: f64,
         roll: Option<f64>,
     ) -> Result<(Vec<f64>, Option<GeometryError>), GeometryError> {
-        let count = crate::curve::whole((reach / STEP).clamp(0.0, 1e4));
+        let count = crate::curve::whole((reach / DIFFERENCE_SPACING).clamp(0.0, 1e4));
         let mut values = Vec::new();
         for i in 1..=count {
-            match self.radius_difference(sense * i as f64 * STEP, roll) {
+            match self.radius_difference(sense * i as f64 * DIFFERENCE_SPACING, roll) {
                 Ok(value) => values.push(value),
                 Err(end @ (GeometryError::End { .. } | GeometryError::Apart { .. })) => {
                     return Ok((values, Some(end)));
@@ -115,7 +115,7 @@ impl RadiusDifference {
     fn new(from: f64, values: Vec<f64>, scale: f64) -> Self {
         let mut sum = 0.0;
         let steps = values.windows(2).map(|pair| {
-            sum += 0.5 * STEP * (pair[0] + pair[1]);
+            sum += 0.5 * DIFFERENCE_SPACING * (pair[0] + pair[1]);
             sum
         });
         let potential = [0.0].into_iter().chain(steps).collect();
@@ -125,12 +125,12 @@ impl RadiusDifference {
     /// Lateral positions between which contact exists (m).
     #[must_use]
     pub fn range(&self) -> [f64; 2] {
-        [self.from, self.from + STEP * (self.values.len().saturating_sub(1)) as f64]
+        [self.from, self.from + DIFFERENCE_SPACING * (self.values.len().saturating_sub(1)) as f64]
     }
 
     /// Lateral position and difference (m), right less left, every .1 mm.
     pub fn rows(&self) -> impl Iterator<Item = (f64, f64)> {
-        let place = |i: usize| self.from + STEP * i as f64;
+        let place = |i: usize| self.from + DIFFERENCE_SPACING * i as f64;
         self.values.iter().enumerate().map(move |(i, &value)| (place(i), value))
     }
 
@@ -148,7 +148,7 @@ impl RadiusDifference {
 
     /// Index below `y` and the part of the step above it.
     fn place(&self, y: f64) -> (usize, f64) {
-        let steps = ((y - self.from) / STEP).max(0.0);
+        let steps = ((y - self.from) / DIFFERENCE_SPACING).max(0.0);
         let index = crate::curve::whole(steps).min(self.values.len().saturating_sub(2));
         (index, steps - index as f64)
     }
@@ -158,7 +158,10 @@ impl RadiusDifference {
         let (index, part) = self.place(y);
         let value = |i: usize| self.values.get(i).copied().unwrap_or(0.0);
         let start = self.potential.get(index).copied().unwrap_or(0.0);
-        start + STEP * part * (value(index) + 0.5 * part * (value(index + 1) - value(index)))
+        start
+            + DIFFERENCE_SPACING
+                * part
+                * (value(index) + 0.5 * part * (value(index + 1) - value(index)))
     }
 
     /// Equivalent conicity for an amplitude (m): half of what the wheelset swings from side to
@@ -171,8 +174,8 @@ impl RadiusDifference {
         let (middle, half) = (low.midpoint(high), 0.5 * (high - low));
         let energy = self.potential_at(low).midpoint(self.potential_at(high));
         // y = middle + half sin t takes the roots out of both ends.
-        let step = std::f64::consts::PI / POINTS as f64;
-        let sum: f64 = (0..POINTS)
+        let step = std::f64::consts::PI / PHASES as f64;
+        let sum: f64 = (0..PHASES)
             .map(|i| -std::f64::consts::FRAC_PI_2 + (i as f64 + 0.5) * step)
             .map(|t| {
                 let left = energy - self.potential_at(middle + half * t.sin());
@@ -210,7 +213,7 @@ impl RadiusDifference {
         let crossings = self.values.windows(2).enumerate().filter_map(|(i, pair)| {
             let (a, b) = (pair[0], pair[1]);
             let rises = a <= 0.0 && b >= 0.0 && b > a;
-            rises.then(|| self.from + STEP * (i as f64 - a / (b - a)))
+            rises.then(|| self.from + DIFFERENCE_SPACING * (i as f64 - a / (b - a)))
         });
         crossings.min_by(|a, b| a.abs().total_cmp(&b.abs()))
     }

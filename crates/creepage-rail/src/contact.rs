@@ -1,14 +1,14 @@
-//! One place of contact: its plane, the undeformed distance over it, its extent.
+//! Contact of a wheel and a rail: its plane, the undeformed distance over it, its extent.
 
 use crate::frame::Frame;
-use crate::meeting::{Meeting, Overlap, Pair};
+use crate::meeting::{Meeting, Overlap, WheelRailPair};
 use crate::search::least;
 use crate::surfaces::{Foot, Surfaces};
 use crate::varying_contact::VaryingSurfaces;
 use crate::{GeometryError, Role, Side, Waves};
 
 /// Points at which an overlap is weighed.
-const POINTS: usize = 64;
+const OVERLAP_POINTS: usize = 64;
 /// Overlaps less deep (m) may come to nothing.
 const MIN_DEPTH: f64 = 1e-9;
 
@@ -50,7 +50,7 @@ pub struct Contact<'a> {
     pub(crate) varying: Option<VaryingSurfaces>,
 }
 
-/// The undeformed bodies at one lateral place of the contact plane.
+/// Undeformed bodies at one lateral place of the contact plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Across {
     /// Lateral place in the plane (m).
@@ -73,7 +73,7 @@ impl<'a> Contact<'a> {
     /// The contact on an overlap; `None` where the bodies hardly touch.
     pub(crate) fn of(
         side: Side,
-        pair: Pair<'a>,
+        pair: WheelRailPair<'a>,
         overlap: Overlap,
     ) -> Result<Option<Self>, GeometryError> {
         let end = |y: f64| GeometryError::End { side, y: side.sense() * y };
@@ -109,10 +109,11 @@ impl<'a> Contact<'a> {
     /// Approach, extent and the wheel's place; `None` where the surfaces turn away.
     fn measure(&mut self, overlap: Overlap) -> Option<()> {
         let across = |along: f64| Some(self.surfaces.below(along)?.1);
-        let places: Vec<(f64, Across)> =
-            spread(overlap, POINTS).filter_map(|along| Some((along, across(along)?))).collect();
+        let places: Vec<(f64, Across)> = spread(overlap, OVERLAP_POINTS)
+            .filter_map(|along| Some((along, across(along)?)))
+            .collect();
         let lowest = places.iter().min_by(|a, b| a.1.gap.total_cmp(&b.1.gap))?.0;
-        let spacing = (overlap.to - overlap.from) / POINTS as f64;
+        let spacing = (overlap.to - overlap.from) / OVERLAP_POINTS as f64;
         let gap = |along: f64| across(along).map_or(f64::INFINITY, |across| across.gap);
         self.approach = -gap(least(gap, [lowest - 2.0 * spacing, lowest + 2.0 * spacing]));
         self.y_wheel = self.surfaces.at(0.0)?.1.y_wheel;
@@ -177,7 +178,7 @@ impl<'a> Contact<'a> {
     #[must_use]
     pub fn waves(&self, role: Role, stretch: [f64; 2], least: f64) -> Option<Waves> {
         // Of slices there is no one profile.
-        let Pair { posed, rail, .. } = &self.surfaces.pair;
+        let WheelRailPair { posed, rail, .. } = &self.surfaces.pair;
         if posed.wheel.slices().or(rail.slices()).is_some() {
             return None;
         }
@@ -299,9 +300,10 @@ struct Centre {
 impl Centre {
     /// Each place counts by the integral of its depth squared along `x`, which goes as the 5/2th
     /// power of the depth on the locus.
-    fn of(pair: &Pair, overlap: Overlap) -> Option<Self> {
-        let part = (overlap.to - overlap.from) / POINTS as f64;
-        let places = (0..=POINTS).filter_map(|i| pair.meeting(overlap.from + i as f64 * part));
+    fn of(pair: &WheelRailPair, overlap: Overlap) -> Option<Self> {
+        let part = (overlap.to - overlap.from) / OVERLAP_POINTS as f64;
+        let places =
+            (0..=OVERLAP_POINTS).filter_map(|i| pair.meeting(overlap.from + i as f64 * part));
         let places: Vec<Meeting> = places.collect();
         let (mut sums, mut deepest) = ([0.0; 4], 0.0f64);
         // At both ends the depth is nought.

@@ -2,7 +2,7 @@
 //!
 //! The format is told by the content, then by the name's ending. Units, senses of the axes and
 //! the order of points are those of the format; what it leaves open is found in the shape, and
-//! what the shape leaves open is an error that asks for it ([`Wanted`]) or, for the lateral sense
+//! what the shape leaves open is an error that asks for it ([`ReadOptions`]) or, for the lateral sense
 //! of rails, the format's convention. All of it stands in the report.
 //!
 //! | format | lengths | `y` of rails | `z` |
@@ -18,11 +18,11 @@
 //! the file says, or what is asked for, the error names both.
 //!
 //! ```
-//! use creepage_rail::file::{Format, Wanted, read, write};
+//! use creepage_rail::file::{Format, ReadOptions, read, write};
 //! use creepage_rail::Standard;
 //!
 //! let text = write(&Standard::S1002.profile(), Format::Simpack, 5e-4);
-//! let read = read("wheel.prw", text.as_bytes(), &Wanted::default())?;
+//! let read = read("wheel.prw", text.as_bytes(), &ReadOptions::default())?;
 //! assert_eq!(read.format, Format::Simpack);
 //! assert!((read.profile.at_z(0.010).unwrap().y + 0.0375).abs() < 1e-8);
 //! # Ok::<(), creepage_rail::file::FileError>(())
@@ -73,9 +73,9 @@ pub enum Format {
     Json,
 }
 
-/// What is asked for in place of what would be found.
+/// Options of reading, in place of what would be found in the file.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Wanted {
+pub struct ReadOptions {
     /// The format.
     pub format: Option<Format>,
     /// Wheel or rail.
@@ -109,7 +109,7 @@ pub struct Reading {
 ///
 /// # Errors
 /// [`FileError`]: each names its line, or what must be asked for.
-pub fn read(name: &str, content: &[u8], wanted: &Wanted) -> Result<Reading, FileError> {
+pub fn read(name: &str, content: &[u8], wanted: &ReadOptions) -> Result<Reading, FileError> {
     let mut actions = Vec::new();
     let text = text::decoded(content, &mut actions);
     let format = wanted.format.map_or_else(|| recognised(name, &text), Ok)?;
@@ -132,7 +132,7 @@ fn finish(
     mut raw: Raw,
     format: Format,
     ending: Option<Role>,
-    wanted: &Wanted,
+    wanted: &ReadOptions,
 ) -> Result<Reading, FileError> {
     let mut actions = std::mem::take(&mut raw.actions);
     scans::measured(&mut raw.points, &mut actions);

@@ -1,6 +1,26 @@
-//! The plane of contact in the track's cross-section.
+//! Side of the track, and the plane of contact in the track's cross-section.
 
 use crate::curve::CurvePoint;
+
+/// A side of the track, seen in the direction of travel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// `y < 0`.
+    Left,
+    /// `y > 0`.
+    Right,
+}
+
+impl Side {
+    /// The sign of the track's `y` towards the field side.
+    #[must_use]
+    pub fn sense(self) -> f64 {
+        match self {
+            Self::Left => -1.0,
+            Self::Right => 1.0,
+        }
+    }
+}
 
 /// Axes of a contact plane, on the right-hand image of its side.
 #[derive(Debug, Clone, Copy)]

@@ -1,8 +1,8 @@
-//! What geometry refuses.
+//! Errors of wheel-rail geometry.
 
 use crate::{Role, Side};
 
-/// Geometry that makes no sense, or contact that profiles do not hold.
+/// Error of wheel-rail geometry that makes no sense, or of contact that profiles do not hold.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GeometryError {

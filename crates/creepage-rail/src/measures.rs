@@ -1,10 +1,10 @@
-//! What workshops measure on a wheel's profile: flange height, thickness and slope, a hollow tread.
+//! Wheel profile measures of EN 15313: flange height, thickness and slope, a hollow tread.
 
 use crate::search::threshold;
 use crate::{Profile, Role, Waves};
 
 /// Spacing of the stations at which a profile is looked at (m).
-const STEP: f64 = 2.5e-4;
+const STATION_SPACING: f64 = 2.5e-4;
 /// Below the tape circle, where flange thickness is measured (m).
 const FACE: f64 = 0.010;
 /// Above the flange's tip, where its slope begins (m).
@@ -44,7 +44,7 @@ impl WheelMeasures {
             return None;
         }
         let curve = profile.curve();
-        let stations = curve.stations(STEP);
+        let stations = curve.stations(STATION_SPACING);
         // The curve runs from the field side to the flange.
         let at_tape = stations.windows(2).find_map(|pair| {
             let outside = |s: f64| curve.at(s).y > 0.0;
@@ -61,7 +61,10 @@ impl WheelMeasures {
         let on_face = |depth: f64| {
             let above = |s: f64| curve.at(s).z < tape + depth;
             let found = stations.windows(2).find(|pair| {
-                pair[1] <= tip + STEP && pair[0] >= at_tape && above(pair[0]) && !above(pair[1])
+                pair[1] <= tip + STATION_SPACING
+                    && pair[0] >= at_tape
+                    && above(pair[0])
+                    && !above(pair[1])
             })?;
             Some(curve.at(threshold([found[0], found[1]], above)[1]).y)
         };
@@ -98,7 +101,7 @@ impl Profile {
         let [worn, new] = [self, new].map(Outline::of);
         let (worn, new) = (worn?, new?);
         let (from, to) = (worn.tip[0].max(new.tip[0]), worn.last().min(new.last()));
-        let places = (0..).map(|k: u32| from + (f64::from(k) + 0.5) * STEP);
+        let places = (0..).map(|k: u32| from + (f64::from(k) + 0.5) * STATION_SPACING);
         let lost: Vec<f64> = places
             .take_while(|place| *place < to)
             .filter_map(|place| {
@@ -106,7 +109,7 @@ impl Profile {
                 Some((new_z - new.tip[1]) - (worn_z - worn.tip[1]))
             })
             .collect();
-        (!lost.is_empty()).then(|| STEP * lost.iter().sum::<f64>())
+        (!lost.is_empty()).then(|| STATION_SPACING * lost.iter().sum::<f64>())
     }
 }
 
@@ -122,7 +125,7 @@ impl Outline {
             return None;
         }
         let curve = profile.curve();
-        let points = curve.stations(STEP).into_iter().map(|s| curve.at(s));
+        let points = curve.stations(STATION_SPACING).into_iter().map(|s| curve.at(s));
         let mut points: Vec<[f64; 2]> = points.map(|point| [point.y, point.z]).collect();
         points.reverse();
         let tip = (0..points.len()).max_by(|&a, &b| points[a][1].total_cmp(&points[b][1]))?;

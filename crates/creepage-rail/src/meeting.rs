@@ -1,4 +1,4 @@
-//! The gap between a wheel's outline and the rail, over the wheel's profile.
+//! Vertical gap between a wheel's outline and the rail, over the wheel's profile; overlaps and the lowest point.
 
 use crate::curve::CurvePoint;
 use crate::search::crossing;
@@ -42,7 +42,7 @@ pub(crate) struct Overlap {
 
 /// A wheel in its position over its rail, both seen as right-hand ones.
 #[derive(Clone, Copy)]
-pub(crate) struct Pair<'a> {
+pub(crate) struct WheelRailPair<'a> {
     pub(crate) posed: Posed<'a>,
     pub(crate) rail: &'a Rail,
     /// Place along the track (m).
@@ -51,7 +51,7 @@ pub(crate) struct Pair<'a> {
     pub(crate) is_guard: bool,
 }
 
-impl std::fmt::Debug for Pair<'_> {
+impl std::fmt::Debug for WheelRailPair<'_> {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         formatter.debug_struct("Pair").finish_non_exhaustive()
     }
@@ -65,7 +65,7 @@ struct Clearance {
     gap: f64,
 }
 
-impl Pair<'_> {
+impl WheelRailPair<'_> {
     pub(crate) fn meeting(&self, s: f64) -> Option<Meeting> {
         let outline = self.posed.outline(s)?;
         let (rail_s, rail) = self.rail.at_y(outline.y)?;

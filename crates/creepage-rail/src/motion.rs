@@ -4,7 +4,7 @@ use crate::pair_surfaces::{Plane, contact_axes, dot};
 use crate::rolling::{RollingCreepage, SurfaceMotion};
 use crate::{Contact, Side};
 
-/// How a rail moves beside where it was laid.
+/// Velocity of a rail.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RailMotion {
     /// Velocity of the profile's origin to the right (m/s).

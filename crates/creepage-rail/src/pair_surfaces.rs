@@ -1,11 +1,11 @@
 //! Points of a wheel and a rail that vary along rolling, on the right-hand image of their side.
 
-use crate::meeting::Pair;
+use crate::meeting::WheelRailPair;
 use crate::track::Rail;
 use crate::wheel::Posed;
 
 /// Steps of Newton's method.
-const STEPS: usize = 30;
+const MAX_NEWTON_STEPS: usize = 30;
 
 /// A point of a surface with its derivatives by two parameters.
 #[derive(Debug, Clone, Copy)]
@@ -101,7 +101,7 @@ impl Rail {
                 return;
             }
             let mut v = seed;
-            for _ in 0..STEPS {
+            for _ in 0..MAX_NEWTON_STEPS {
                 let Some(point) = self.varying(v, u) else { return };
                 let [_, y_v, z_v] = point.by[0];
                 let excess = point.place[1] - y;
@@ -125,7 +125,7 @@ impl Rail {
     }
 }
 
-impl Pair<'_> {
+impl WheelRailPair<'_> {
     /// Whether wheel or rail vary along rolling.
     pub(crate) fn varies(&self) -> bool {
         self.posed.wheel.varies() || self.rail.varies()
@@ -180,7 +180,7 @@ impl Plane {
         surface: impl Fn([f64; 2]) -> Option<PatchPoint>,
     ) -> Option<([f64; 2], PatchPoint)> {
         let mut at = from;
-        for _ in 0..STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             let point = surface(at)?;
             let [px, ps, _] = self.of(point.place);
             let miss = [px - x, ps - s];

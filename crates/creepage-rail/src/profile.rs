@@ -6,7 +6,7 @@ use crate::Waves;
 use crate::curve::{self, Curve, CurvePoint, Smoothing, SplineError};
 use crate::search::threshold;
 
-/// What a profile belongs to.
+/// Role of a profile: wheel or rail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// A wheel: the curve runs from the field side to the flange.
@@ -31,7 +31,7 @@ pub struct Profile {
     curve: Curve,
 }
 
-/// Curves that are no profile.
+/// Error of curves that are no profile.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ProfileError {

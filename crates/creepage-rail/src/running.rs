@@ -1,6 +1,6 @@
-//! A wheelset in its track: rest, rolling radii, contacts.
+//! Wheelset on its track: rest position, rolling radii, contacts.
 
-use crate::meeting::{Meeting, Overlap, Pair};
+use crate::meeting::{Meeting, Overlap, WheelRailPair};
 use crate::varying_contact;
 use crate::wheel::Posed;
 use crate::{Contact, GeometryError, Position, Profile, Side, Track, Wheelset};
@@ -19,7 +19,7 @@ pub struct WheelsetOnTrack {
     place: [f64; 2],
 }
 
-/// Where a wheel touches its rail without load.
+/// Contact of a wheel and its rail without load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Touch {
     /// Height of the wheelset (m, down) at which it touches.
@@ -141,7 +141,7 @@ impl WheelsetOnTrack {
     }
 
     /// One side as a right-hand one.
-    pub(crate) fn pair(&self, side: Side, position: Position) -> Pair<'_> {
+    pub(crate) fn pair(&self, side: Side, position: Position) -> WheelRailPair<'_> {
         let (wheel, rail, position) = match side {
             Side::Right => (&self.wheelset.right, &self.track.right, position),
             Side::Left => (&self.wheelset.left, &self.track.left, position.mirrored()),
@@ -150,13 +150,13 @@ impl WheelsetOnTrack {
         // Under a wheel on a roller its top is always the same place.
         let s = if rail.roller().is_some() { 0.0 } else { s };
         let posed = Posed::new(wheel, &self.wheelset, position, pitch);
-        Pair { posed, rail, s, is_guard: false }
+        WheelRailPair { posed, rail, s, is_guard: false }
     }
 
     /// The same with the guard rail, where there is one.
-    fn guard_pair(&self, side: Side, position: Position) -> Option<Pair<'_>> {
+    fn guard_pair(&self, side: Side, position: Position) -> Option<WheelRailPair<'_>> {
         let rail = self.track.rail(side).guard()?;
-        Some(Pair { rail, is_guard: true, ..self.pair(side, position) })
+        Some(WheelRailPair { rail, is_guard: true, ..self.pair(side, position) })
     }
 
     /// Height (m, down) at which a wheel first touches its rail or its guard rail as it comes down at `y` (m),
@@ -306,7 +306,7 @@ impl WheelsetOnTrack {
         position: &Position,
         spacing: f64,
     ) -> Result<[Vec<[f64; 2]>; 2], GeometryError> {
-        let Pair { posed, rail, .. } = self.pair(side, position.check()?);
+        let WheelRailPair { posed, rail, .. } = self.pair(side, position.check()?);
         let track = |y: f64, z: f64| [side.sense() * y, z];
         let wheel = posed.wheel.profile().curve();
         let wheel = wheel.stations(spacing).into_iter().map(|s| {
@@ -348,11 +348,14 @@ impl WheelsetOnTrack {
     }
 }
 
-fn contacts_of_pair(side: Side, pair: Pair<'_>) -> Result<Vec<Contact<'_>>, GeometryError> {
+fn contacts_of_pair(
+    side: Side,
+    pair: WheelRailPair<'_>,
+) -> Result<Vec<Contact<'_>>, GeometryError> {
     if pair.varies() {
         return varying_contact::contacts(side, pair);
     }
-    let overlaps = joined(&pair, pair.overlaps()).into_iter();
+    let overlaps = merged(&pair, pair.overlaps()).into_iter();
     overlaps.filter_map(|overlap| Contact::of(side, pair, overlap).transpose()).collect()
 }
 
@@ -366,28 +369,28 @@ fn distance_to([y, z]: [f64; 2], [[y0, z0], [y1, z1]]: [[f64; 2]; 2]) -> f64 {
 }
 
 /// Neighbours joined.
-fn joined(pair: &Pair<'_>, overlaps: Vec<Overlap>) -> Vec<Overlap> {
+fn merged(pair: &WheelRailPair<'_>, overlaps: Vec<Overlap>) -> Vec<Overlap> {
     let slope = |overlap: &Overlap| {
         let middle = pair.meeting(overlap.from.midpoint(overlap.to))?;
         Some(middle.rail.tangent[1].atan2(middle.rail.tangent[0]))
     };
-    let mut joined: Vec<Overlap> = Vec::new();
+    let mut merged: Vec<Overlap> = Vec::new();
     let mut before = None;
     for overlap in overlaps {
         let here = slope(&overlap);
         let turn = here.zip(before).map_or(0.0, |(here, before): (f64, f64)| (here - before).abs());
         before = here;
-        match joined.last_mut() {
+        match merged.last_mut() {
             Some(last) if overlap.from - last.to < ONE_CONTACT_WITHIN && turn < TURN => {
                 (last.to, last.end) = (overlap.to, last.end.or(overlap.end));
             }
-            _ => joined.push(overlap),
+            _ => merged.push(overlap),
         }
     }
-    joined
+    merged
 }
 
-fn touch(side: Side, pair: &Pair, lowest: &Meeting) -> Touch {
+fn touch(side: Side, pair: &WheelRailPair, lowest: &Meeting) -> Touch {
     let Meeting { outline, rail_s, rail } = lowest;
     let sense = side.sense();
     let wheel = pair.posed.wheel.profile().curve().at(outline.s);
@@ -402,7 +405,7 @@ fn touch(side: Side, pair: &Pair, lowest: &Meeting) -> Touch {
 }
 
 /// The same of a pair that varies along rolling.
-fn varying_touch(side: Side, pair: &Pair<'_>, y: f64) -> Result<Touch, GeometryError> {
+fn varying_touch(side: Side, pair: &WheelRailPair<'_>, y: f64) -> Result<Touch, GeometryError> {
     let lows = pair.lows(0.0);
     let lowest = lows.iter().min_by(|a, b| a.gap.total_cmp(&b.gap));
     let Some(low) = lowest else { return Err(GeometryError::Apart { side, y }) };

@@ -1,4 +1,4 @@
-//! Where a condition ceases to hold, and where a function is least.
+//! Scalar searches: bisection for a threshold, Chandrupatla's root, golden-section minimum.
 
 /// After which neighbours are those of rounding.
 const HALVINGS: i32 = 36;
@@ -24,14 +24,14 @@ pub(crate) fn threshold(
 /// through three places where that is sure to help, else by halves (Chandrupatla 1997), as where it is infinite.
 /// As near as [`threshold`], or until it is `small`; the first place where it is not negative even there.
 pub(crate) fn crossing(ends: [f64; 2], small: f64, f: impl Fn(f64) -> f64) -> f64 {
-    const STEPS: usize = 100;
+    const MAX_EVALUATIONS: usize = 100;
     let least = 0.5_f64.powi(HALVINGS) * (ends[1] - ends[0]).abs();
     let [mut new, mut other] = ends.map(|place| (place, f(place)));
     let mut part = 0.5;
     if new.1 >= 0.0 {
         return new.0;
     }
-    for _ in 0..STEPS {
+    for _ in 0..MAX_EVALUATIONS {
         let place = new.0 + part * (other.0 - new.0);
         let (found, mut third) = ((place, f(place)), new);
         if (found.1 < 0.0) != (new.1 < 0.0) {

@@ -1,4 +1,4 @@
-//! A surface through profiles at places along the track, or at angles around a wheel: slices.
+//! Surface through profiles at places along the track, or at angles around a wheel: slices.
 //!
 //! Features of the slices cut them into parts; each part is resampled to equal fractions of its arc length, and
 //! the places of one fraction make a path from slice to slice. The surface is the tensor product of cubic
@@ -35,7 +35,7 @@ pub struct Slice {
     pub kink: bool,
 }
 
-/// Slices that make no surface.
+/// Error of slices that make no surface.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SliceError {

@@ -1,7 +1,6 @@
 //! Profiles of the standards, by name, from their defining arcs and polynomials.
 
 mod head;
-mod rail;
 mod wheel;
 mod zones;
 
@@ -112,10 +111,10 @@ impl Standard {
             Self::En15302C => wheel::en15302_c(),
             Self::En15302H => wheel::en15302_h(),
             Self::En15302I => wheel::en15302_i(),
-            Self::Uic60 => rail::arcs_300_80_13(10.5e-3, 25.988e-3),
-            Self::Rail60E1 => rail::arcs_300_80_13(10.228e-3, 26.0265e-3),
-            Self::Rail54E1 => rail::arcs_300_80_13(10.012e-3, 24.8635e-3),
-            Self::En15302RailA => rail::en15302_a(),
+            Self::Uic60 => head::arcs_300_80_13(10.5e-3, 25.988e-3),
+            Self::Rail60E1 => head::arcs_300_80_13(10.228e-3, 26.0265e-3),
+            Self::Rail54E1 => head::arcs_300_80_13(10.012e-3, 24.8635e-3),
+            Self::En15302RailA => head::en15302_a(),
         }
     }
 }

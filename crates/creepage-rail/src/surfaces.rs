@@ -1,9 +1,9 @@
-//! Wheel and rail over the contact plane, on the right-hand image of their side.
+//! Surfaces of wheel and rail over the contact plane, on the right-hand image of their side.
 
 use crate::Across;
 use crate::curve::CurvePoint;
 use crate::frame::Frame;
-use crate::meeting::Pair;
+use crate::meeting::WheelRailPair;
 
 /// A point of the wheel's surface: arc length of its profile, angle around the axle (rad).
 #[derive(Debug, Clone, Copy)]
@@ -22,7 +22,7 @@ impl Foot {
 /// A pair seen from its contact plane.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Surfaces<'a> {
-    pub(crate) pair: Pair<'a>,
+    pub(crate) pair: WheelRailPair<'a>,
     pub(crate) frame: Frame,
     /// Arc length of the wheel's profile near the contact.
     pub(crate) start: f64,

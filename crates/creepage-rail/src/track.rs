@@ -1,4 +1,4 @@
-//! Rails in place.
+//! Track: two rails, canted, set in place and deviating.
 //!
 //! A side is held as a right-hand one: `y` to the field side. The left side is its mirror image.
 
@@ -14,11 +14,11 @@ use crate::{GeometryError, Profile, Role, Roller, Side};
 use from_above::{Station, Stretches};
 
 /// Spacing of the stations between which a rail is looked up (m).
-const STEP: f64 = 2.5e-4;
+const STATION_SPACING: f64 = 2.5e-4;
 /// A head further than this from the profile's origin is already in its place in the track (m).
 const FAR: f64 = 0.2;
 
-/// Where a rail stands across the track.
+/// Position of a rail across the track.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Place {
     /// The head's nearest point to the track centre, down to `height` (m) below its highest
@@ -44,7 +44,7 @@ impl Place {
     }
 }
 
-/// How a rail stands beside where it was laid, as irregular or yielding track has it.
+/// Deviation of a rail from where it was laid, as irregular or yielding track has it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Deviation {
     /// Shift to the right (m).
@@ -135,7 +135,7 @@ impl Rail {
     /// Arc lengths at which it is looked at.
     fn stations(&self) -> Vec<f64> {
         let [from, to] = self.part;
-        let stations = self.profile.curve().stations(STEP);
+        let stations = self.profile.curve().stations(STATION_SPACING);
         stations.into_iter().filter(|s| (from..=to).contains(s)).collect()
     }
 

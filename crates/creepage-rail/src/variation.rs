@@ -1,4 +1,4 @@
-//! What wheels and rails have beside one profile: flats, polygons, corrugation, slices.
+//! Variation of wheels and rails along rolling: flats, polygons, corrugation, slices.
 //!
 //! Angles around a wheel are those of its material: `th` counts from straight down towards `+x` at pitch 0.
 //! A wheel that has rolled forward by the pitch `p` shows `th = b + p` at the angle `b` from straight down.
@@ -9,7 +9,7 @@ use std::sync::Arc;
 use crate::GeometryError;
 use crate::slices::SliceSurface;
 
-/// How a flat is shaped along the wheel's circle.
+/// Shape of a flat along the wheel's circle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FlatShape {
     /// Freshly ground by sliding: a chord with two edges, `r = R cos a/cos th` for `|th| < a`, `sin a = L/(2R)`.
@@ -124,7 +124,7 @@ pub struct Corrugation {
     pub phase: f64,
 }
 
-/// How a wheel varies around its axle.
+/// Variation of a wheel around its axle.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct WheelVariation {
     /// Profiles at angles, in place of the one profile.
@@ -135,7 +135,7 @@ pub struct WheelVariation {
     pub waviness: Vec<Waviness>,
 }
 
-/// How a rail varies along the track.
+/// Variation of a rail along the track.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RailVariation {
     /// Profiles at places along the track, in place of the one profile.

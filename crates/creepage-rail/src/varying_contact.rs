@@ -1,10 +1,10 @@
-//! A place of contact between surfaces that vary along rolling: its plane, which may slope along the track too,
-//! and the undeformed distance over it along its normal.
+//! Contact between surfaces that vary along rolling: its plane, which may slope along the track too, and the undeformed
+//! distance over it along its normal.
 
 use std::cell::Cell;
 
 use crate::frame::Frame;
-use crate::meeting::Pair;
+use crate::meeting::WheelRailPair;
 use crate::pair_surfaces::{PatchPoint, Plane, dot};
 use crate::running::{ONE_CONTACT_WITHIN, TURN};
 use crate::search::least;
@@ -31,7 +31,7 @@ pub(crate) struct VaryingSurfaces {
 impl VaryingSurfaces {
     fn wheel_at(
         &self,
-        pair: &Pair<'_>,
+        pair: &WheelRailPair<'_>,
         place: [f64; 2],
         from: [f64; 2],
     ) -> Option<([f64; 2], PatchPoint)> {
@@ -40,7 +40,7 @@ impl VaryingSurfaces {
 
     fn rail_at(
         &self,
-        pair: &Pair<'_>,
+        pair: &WheelRailPair<'_>,
         place: [f64; 2],
         from: [f64; 2],
     ) -> Option<([f64; 2], PatchPoint)> {
@@ -57,7 +57,12 @@ impl VaryingSurfaces {
     }
 
     /// Distance along the normal from the rail to the wheel at a place of the plane, from feet nearby.
-    fn apart(&self, pair: &Pair<'_>, place: [f64; 2], feet: &mut [[f64; 2]; 2]) -> Option<f64> {
+    fn apart(
+        &self,
+        pair: &WheelRailPair<'_>,
+        place: [f64; 2],
+        feet: &mut [[f64; 2]; 2],
+    ) -> Option<f64> {
         let (wheel, on_wheel) = self.wheel_at(pair, place, feet[0])?;
         let (rail, on_rail) = self.rail_at(pair, place, feet[1])?;
         *feet = [wheel, rail];
@@ -73,13 +78,16 @@ impl VaryingSurfaces {
         [self.wheel, self.rail]
     }
 
-    fn gap(&self, pair: &Pair<'_>, place: [f64; 2]) -> Option<f64> {
+    fn gap(&self, pair: &WheelRailPair<'_>, place: [f64; 2]) -> Option<f64> {
         self.apart(pair, place, &mut self.feet())
     }
 }
 
 /// All contacts of a pair that varies.
-pub(crate) fn contacts(side: Side, pair: Pair<'_>) -> Result<Vec<Contact<'_>>, GeometryError> {
+pub(crate) fn contacts(
+    side: Side,
+    pair: WheelRailPair<'_>,
+) -> Result<Vec<Contact<'_>>, GeometryError> {
     let mut regions: Vec<OverlapRegion> = Vec::new();
     for low in pair.lows(DEEP).iter().filter(|low| low.gap < 0.0) {
         let holds = |region: &OverlapRegion| {
@@ -94,7 +102,7 @@ pub(crate) fn contacts(side: Side, pair: Pair<'_>) -> Result<Vec<Contact<'_>>, G
         }
     }
     let mut contacts = Vec::new();
-    for region in joined(regions) {
+    for region in merged(regions) {
         contacts.extend(Contact::of_region(side, pair, &region)?);
     }
     // From the field side, and from behind.
@@ -106,19 +114,19 @@ pub(crate) fn contacts(side: Side, pair: Pair<'_>) -> Result<Vec<Contact<'_>>, G
 }
 
 /// Regions that lie close together in nearly one plane, as one.
-fn joined(regions: Vec<OverlapRegion>) -> Vec<OverlapRegion> {
-    let mut joined: Vec<OverlapRegion> = Vec::new();
+fn merged(regions: Vec<OverlapRegion>) -> Vec<OverlapRegion> {
+    let mut merged: Vec<OverlapRegion> = Vec::new();
     for mut region in regions {
         // Whatever it is near to becomes one with it.
-        while let Some(index) = joined.iter().position(|other| are_together(other, &region)) {
-            let other = joined.swap_remove(index);
+        while let Some(index) = merged.iter().position(|other| are_together(other, &region)) {
+            let other = merged.swap_remove(index);
             region.cells.extend(other.cells);
             region.is_cut |= other.is_cut;
             region.end = region.end.or(other.end);
         }
-        joined.push(region);
+        merged.push(region);
     }
-    joined
+    merged
 }
 
 fn are_together(one: &OverlapRegion, other: &OverlapRegion) -> bool {
@@ -172,7 +180,7 @@ impl<'a> Contact<'a> {
     /// The contact on a region; `None` where the bodies hardly touch.
     fn of_region(
         side: Side,
-        pair: Pair<'a>,
+        pair: WheelRailPair<'a>,
         region: &OverlapRegion,
     ) -> Result<Option<Self>, GeometryError> {
         let end = |y: f64| GeometryError::End { side, y: side.sense() * y };

@@ -1,7 +1,7 @@
-//! Where a wheel and a rail that vary along rolling come near each other: the vertical gap over the wheel's
-//! surface, its least places, and the regions on which the bodies overlap.
+//! Contact search between a wheel and a rail that vary along rolling: the vertical gap over the wheel's surface, its
+//! least places, and the regions on which the bodies overlap.
 
-use crate::meeting::Pair;
+use crate::meeting::WheelRailPair;
 use crate::pair_surfaces::RailBelow;
 use crate::search::crossing;
 use crate::slices::patch_of;
@@ -55,7 +55,7 @@ pub(crate) struct OverlapRegion {
     pub(crate) steps: [f64; 2],
 }
 
-impl Pair<'_> {
+impl WheelRailPair<'_> {
     fn low(&self, v: f64, b: f64) -> Option<Low> {
         let (gap, _, wheel, rail) = self.vertical_gap(v, b)?;
         Some(Low { v, b, gap, place: wheel.place, y_wheel: wheel.y, rail })

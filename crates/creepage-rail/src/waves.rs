@@ -1,9 +1,9 @@
-//! Waves of a profile: how far its surface turns to and fro.
+//! Waviness of a profile: how far its surface turns to and fro.
 
 use crate::curve::{Curve, turn};
 
 /// Spacing of the places at which a piece's direction is looked at, where its ends do not tell (m).
-const STEP: f64 = 5e-5;
+const DIRECTION_SPACING: f64 = 5e-5;
 
 /// Waves on a stretch of a profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,11 +25,11 @@ impl Waves {
         let mut extremes: Vec<[f64; 2]> = vec![[from, 0.0]];
         for (first, piece) in curve.pieces() {
             let (low, high) = (from.max(first), to.min(first + piece.length()));
-            let step = if piece.turns_one_way() { piece.length() } else { STEP };
+            let step = if piece.turns_one_way() { piece.length() } else { DIRECTION_SPACING };
             let inner = (0..).map(|i| low + f64::from(i) * step).take_while(|s| *s < high);
             for s in inner.chain((low <= high).then_some(high)) {
                 let tangent = piece.at(s - first).tangent;
-                follow(&mut extremes, [s, turn(start, tangent)], least);
+                push_extreme(&mut extremes, [s, turn(start, tangent)], least);
             }
         }
         let swings = extremes.len() - 1;
@@ -45,7 +45,7 @@ impl Waves {
 
 /// Takes the next place and its direction: it goes on from the last extreme, or turns back by more
 /// than `least`, or is nothing.
-fn follow(extremes: &mut Vec<[f64; 2]>, next: [f64; 2], least: f64) {
+fn push_extreme(extremes: &mut Vec<[f64; 2]>, next: [f64; 2], least: f64) {
     match extremes.as_mut_slice() {
         [.., before, last] if (next[1] - last[1]) * (last[1] - before[1]) > 0.0 => *last = next,
         [.., last] if (next[1] - last[1]).abs() <= least => {}

@@ -1,4 +1,4 @@
-//! Wheels on an axle, and the outline of a wheel that is turned against the rail.
+//! Wheels on an axle, and the outline of a yawed or rolled wheel against the rail.
 
 use crate::curve::CurvePoint;
 use crate::slices::SliceSurface;
@@ -6,7 +6,7 @@ use crate::variation::WheelVariation;
 use crate::{GeometryError, Profile, Role, Side};
 
 /// Spacing of the stations at which the outline is looked at (m).
-const STEP: f64 = 2.5e-4;
+const STATION_SPACING: f64 = 2.5e-4;
 
 /// Where the tape circle and the flange's tip lie from its back (m), mostly.
 const TAPE: f64 = 0.070;
@@ -38,7 +38,7 @@ impl Wheel {
         if profile.role() != Role::Wheel {
             return Err(GeometryError::NotA { role: Role::Wheel });
         }
-        let stations = profile.curve().stations(STEP).into_iter();
+        let stations = profile.curve().stations(STATION_SPACING).into_iter();
         let stations: Vec<_> = stations.map(|s| (s, profile.curve().at(s))).collect();
         let least = stations.iter().map(|(_, point)| point.z).fold(0.0, f64::min);
         if !(radius + least > 0.0 && radius.is_finite()) {
@@ -219,7 +219,7 @@ impl Wheelset {
     }
 }
 
-/// Where a wheelset stands in the track.
+/// Pose of a wheelset in the track.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Position {
     /// Its centre to the right of the track centre (m).

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-use creepage_rail::file::{Action, Format, Reading, Wanted, read};
+use creepage_rail::file::{Action, Format, ReadOptions, Reading, read};
 use creepage_rail::{
     Place, Position, Profile, Side, Smoothing, Standard, Track, Wheelset, WheelsetOnTrack,
 };
@@ -24,7 +24,7 @@ fn sample(name: &str, smoothing: Option<f64>) -> Reading {
     let standard = if name.starts_with("s1002") { Standard::S1002 } else { Standard::Uic60 };
     let role = (!name.starts_with("worn")).then_some(standard.role());
     let smoothing = smoothing.map(Smoothing::Wavelength);
-    let wanted = Wanted { role, side: Some(Side::Right), smoothing, ..Wanted::default() };
+    let wanted = ReadOptions { role, side: Some(Side::Right), smoothing, ..ReadOptions::default() };
     let found = read(name, content, &wanted).unwrap();
     assert_eq!(found.format, *format);
     found

@@ -1,4 +1,4 @@
-//! Files that appear under their names when they are whole.
+//! Atomic files, which appear under their names when they are whole.
 //!
 //! A file is written beside its target and renamed when it is on the disk, so that an earlier
 //! result stays until the new one is complete. A run that is killed leaves a hidden

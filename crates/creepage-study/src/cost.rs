@@ -1,4 +1,4 @@
-//! What work takes, told before it begins.
+//! Estimate of a solution's cost, told before it begins.
 
 use creepage::coulomb::Resolution;
 use creepage::theory::ResolutionSpec;

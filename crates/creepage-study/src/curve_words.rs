@@ -1,4 +1,4 @@
-//! How the picture of curves names the quantities along its axis.
+//! Labels of the curves' axis: names, symbols and units of creepage components.
 
 use creepage_plot::Label;
 

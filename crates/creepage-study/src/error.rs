@@ -1,11 +1,11 @@
-//! Why a report could not be written.
+//! Error of a report that could not be written.
 
 use std::io;
 use std::path::PathBuf;
 
 use creepage_plot::PlotError;
 
-/// Why a report could not be written.
+/// Error of a report that could not be written.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReportError {

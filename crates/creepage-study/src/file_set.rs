@@ -1,4 +1,4 @@
-//! Several files that appear together.
+//! Set of files that appear together: each is written beside its target, then all are renamed, or none.
 
 use std::fs::{self, File};
 use std::io::{self, Write};

@@ -1,4 +1,4 @@
-//! Hostile files: whatever stands in them, an answer or a message comes of it, and no panic.
+//! Fuzz tests: whatever stands in a hostile file, an answer or a message comes of it, and no panic.
 //!
 //! `CREEPAGE_FUZZ=100 cargo test -p creepage-study fuzz` tries a hundred times as many.
 

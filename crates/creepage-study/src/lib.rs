@@ -10,7 +10,7 @@
 //! | wheelsets | [`WheelsetFile`] gives a [`WheelsetCase`], this a [`SolvedWheelset`]; [`conicity`], [`WheelsetTable`] |
 //! | solved | [`solve`] gives a [`SolvedCase`]; [`StaticsCase`], [`SweepRun`], [`Curves`], [`Stresses`] |
 //! | bearings | [`BearingFile`] gives a [`BearingCase`], this a [`BearingReport`] |
-//! | many | [`BulkCase`]: one case with [`Varied`] quantities in rows; [`Solver`]: many [`Question`]s |
+//! | many | [`BulkCase`]: one case with [`Varied`] quantities in rows; [`Solver`]: many [`BulkQuery`]s |
 //! | reported | [`SolvedCase::text`], [`SolvedCase::report`], [`SolvedCase::write`]; [`Caution`] |
 //! | any shape | [`GapFile`] gives a [`GapCase`], [`solve_gap`] a [`SolvedCase`] like any other |
 //! | fitted | [`MeasuredPoints`] over [`Curves`]; [`Fit`]: friction from measured forces, with its uncertainty |
@@ -66,7 +66,6 @@ mod heat;
 mod history;
 mod line;
 mod measured;
-mod plain_words;
 mod points;
 mod recent;
 mod report;
@@ -94,8 +93,9 @@ pub use any_case::{AnyCase, AnyCaseFile};
 pub use atomic_file::WholeFile;
 pub use bearing::{BearingCase, BearingCaseError, BearingFile, BearingReport, bearing_json_schema};
 pub use bulk::{
-    BulkAnswer, BulkCase, BulkColumn, BulkRow, Question, Reply, RowError, Solver, Varied,
+    BulkAnswer, BulkCase, BulkColumn, BulkQuery, BulkRow, Reply, RowError, Solver, Varied,
 };
+pub use case::keys::plain_words;
 pub use case::{
     Case, CaseError, CaseFile, Given, SecondStart, SpecError, StaticsCase, StaticsError,
     StaticsFile, StaticsProblem, Sweep, SweepCase, json_schema, statics_json_schema,
@@ -115,7 +115,7 @@ pub use error::ReportError;
 pub use file_set::write_all;
 pub use gap::{
     CurvedJson, GapCase, GapCaseError, GapFile, GapFileError, GapRows, GapSolver, GapValue,
-    GapVaried, Pressed, Roller, SiGiven, gap_json_schema, pressed_text, solve_gap,
+    GapVaried, LoadOrApproach, Roller, SiGiven, gap_json_schema, pressed_text, solve_gap,
 };
 pub use heat::{Heat, HeatWanted, HeatedRow};
 pub use history::{
@@ -128,7 +128,6 @@ pub use measured::{
     Fit, FitCaution, FitError, FitOptions, Fitted, FittedPoint, MeasuredError, MeasuredPoint,
     MeasuredPoints, UnreadRow,
 };
-pub use plain_words::plain_words;
 pub use report::{PerUnit, Quantity, Report, Unit, hertz_report, pressed_report};
 pub use series::{SeriesHead, SeriesRow, SweepRun, Tally, series_csv, series_json, series_netcdf};
 pub use solve::{SolveError, SolvedCase, solve};

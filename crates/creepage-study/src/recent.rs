@@ -1,4 +1,4 @@
-//! The values that were asked for last, by their keys.
+//! Cache of the values that were asked for last, by their keys.
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};

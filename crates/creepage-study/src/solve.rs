@@ -1,4 +1,4 @@
-//! A case, solved.
+//! Solution of a case by a theory: [`SolvedCase`], whatever its contact.
 
 use std::fmt;
 use std::sync::OnceLock;
@@ -43,7 +43,9 @@ use crate::{AnyCase, Case, Caution, CurvedJson, Damage, Given, Heat, Unattainabl
 pub fn solve(case: &Case, other: Option<&TheorySpec>) -> Result<SolvedCase, SolveError> {
     let spec = other.unwrap_or(&case.theory);
     let theory = spec.prepare(&case.contact)?;
-    let held = SolvedTheory::try_new(theory, |theory| meet(&**theory, case, spec.facts().name))?;
+    let held = SolvedTheory::try_new(theory, |theory| {
+        solve_constraints(&**theory, case, spec.facts().name)
+    })?;
     let of = AnyCase::Ellipse(case.clone());
     let solved = SolvedCase::new(of, &case.contact, spec.facts(), held, |solution, creepage| {
         let mut cautions = Caution::all(spec, &case.contact, solution);
@@ -66,7 +68,7 @@ pub fn solve(case: &Case, other: Option<&TheorySpec>) -> Result<SolvedCase, Solv
     Ok(solved.with_heat())
 }
 
-fn meet<'t>(
+fn solve_constraints<'t>(
     theory: &'t dyn Theory,
     case: &Case,
     name: &'static str,
@@ -98,7 +100,7 @@ pub(crate) fn in_si_units(
     }
 }
 
-/// Why a case was not solved.
+/// Error of a case that was not solved.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SolveError {

@@ -1,4 +1,4 @@
-//! Files of the user's, over which no result is written: the one rule for all that is written.
+//! Source files of the user's, over which no result is written: the one rule for all that is written.
 //!
 //! A file that a command or a case has read is never replaced, by whatever name; nor is one that stands
 //! where a working file goes ([`keep_foreign`]). Results of the same name are.

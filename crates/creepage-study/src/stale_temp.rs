@@ -1,4 +1,4 @@
-//! Hidden files that a killed run has left: nobody holds them any more.
+//! Removal of hidden temporary files that a killed run has left.
 //!
 //! A run locks its hidden file as soon as it has made it, and then looks whether the file still has its
 //! name; another run removes a file only while it has its lock for itself.

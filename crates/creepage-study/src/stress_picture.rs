@@ -3,7 +3,7 @@
 use creepage_plot::format::{Scale, quantity, significant};
 use creepage_plot::{Axis, Bands, Label, Mark, Panel, Pen, Shape, Sheet};
 
-use crate::stresses::{STEPS, StressPoint, Stresses};
+use crate::stresses::{SECTION_STEPS, StressPoint, Stresses};
 
 /// The contact, seen from the side.
 const CONTACT: Pen = Pen { colour: "#c62828", dashes: "", width: 5.0 };
@@ -91,13 +91,14 @@ impl Stresses {
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few dozen steps
 fn between(values: &[f64], shares: [f64; 2]) -> f64 {
     let cell = |i: usize| {
-        let place = (shares[i] * f64::from(STEPS[i])).clamp(0.0, f64::from(STEPS[i]));
-        let low = place.floor().min(f64::from(STEPS[i] - 1));
+        let place =
+            (shares[i] * f64::from(SECTION_STEPS[i])).clamp(0.0, f64::from(SECTION_STEPS[i]));
+        let low = place.floor().min(f64::from(SECTION_STEPS[i] - 1));
         (low as usize, place - low)
     };
     let ((i, right), (j, down)) = (cell(0), cell(1));
     let value = |i: usize, j: usize| {
-        values.get(j * (STEPS[0] as usize + 1) + i).copied().unwrap_or(f64::NAN)
+        values.get(j * (SECTION_STEPS[0] as usize + 1) + i).copied().unwrap_or(f64::NAN)
     };
     let row = |j: usize| (1.0 - right) * value(i, j) + right * value(i + 1, j);
     (1.0 - down) * row(j) + down * row(j + 1)

@@ -4,7 +4,7 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 
 const COLUMNS: [&str; 3] = ["x", "y", "z"];
 
-/// Why a table has no points. Rows count from one, without the header.
+/// Error of a table without points. Rows count from one, without the header.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum PointsError {

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use crate::stresses::{StressError, StressPoint, Stresses};
 
 /// Points along, across and down.
-const POINTS: [u32; 3] = [41, 21, 21];
+const GRID_POINTS: [u32; 3] = [41, 21, 21];
 
 impl Stresses {
     /// A block from `-2a` to `2a`, `-1.5b` to `1.5b` and down to `2a`, from the depth where the stresses
@@ -17,11 +17,11 @@ impl Stresses {
     pub fn block(&self) -> Result<Vec<StressPoint>, StressError> {
         let [low, high] = self.corners();
         let at = |axis: usize, k: u32| {
-            low[axis] + (high[axis] - low[axis]) * f64::from(k) / f64::from(POINTS[axis] - 1)
+            low[axis] + (high[axis] - low[axis]) * f64::from(k) / f64::from(GRID_POINTS[axis] - 1)
         };
-        let rows = (0..POINTS[2]).flat_map(|k| (0..POINTS[1]).map(move |j| (j, k)));
-        let points =
-            rows.flat_map(|(j, k)| (0..POINTS[0]).map(move |i| [at(0, i), at(1, j), at(2, k)]));
+        let rows = (0..GRID_POINTS[2]).flat_map(|k| (0..GRID_POINTS[1]).map(move |j| (j, k)));
+        let points = rows
+            .flat_map(|(j, k)| (0..GRID_POINTS[0]).map(move |i| [at(0, i), at(1, j), at(2, k)]));
         self.at(&points.collect::<Vec<_>>())
     }
 
@@ -35,8 +35,8 @@ impl Stresses {
     #[must_use]
     pub fn vtk(&self, block: &[StressPoint]) -> String {
         let [low, high] = self.corners();
-        let step = |axis: usize| (high[axis] - low[axis]) / f64::from(POINTS[axis] - 1);
-        let [along, across, down] = POINTS;
+        let step = |axis: usize| (high[axis] - low[axis]) / f64::from(GRID_POINTS[axis] - 1);
+        let [along, across, down] = GRID_POINTS;
         let mut vtk = format!(
             "# vtk DataFile Version 3.0\n\
              creepage {}: theory {}; stresses in the {} body, z into it, SI units\n\

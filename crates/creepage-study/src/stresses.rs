@@ -22,7 +22,7 @@ use crate::text::{aligned, status_words};
 /// an element of the coarsest resolution.
 const SETTLED: f64 = 0.05;
 /// Steps of the section along and down.
-pub(crate) const STEPS: [u32; 2] = [80, 40];
+pub(crate) const SECTION_STEPS: [u32; 2] = [80, 40];
 /// Where the largest stress is sought, over the semi-axes, and down over the smaller of them.
 const SOUGHT: f64 = 1.5;
 const HEADER: [&str; 17] = [
@@ -56,7 +56,7 @@ pub struct StressPoint {
     pub displacement: [f64; 3],
 }
 
-/// Why there are no stresses.
+/// Error of stresses that cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StressError {
@@ -79,7 +79,7 @@ pub enum StressError {
     },
 }
 
-/// Why stresses were not written.
+/// Error of stresses that were not written.
 #[derive(Debug, thiserror::Error)]
 pub enum StressFileError {
     /// There are none.
@@ -172,7 +172,7 @@ impl Stresses {
     pub fn section(&self) -> Result<Vec<StressPoint>, StressError> {
         let [[x, y], [a, _]] = self.solved.box_around();
         let at = |k: u32, steps: u32| f64::from(k) / f64::from(steps);
-        let [along, down] = STEPS;
+        let [along, down] = SECTION_STEPS;
         let row = |j: u32| {
             let z = (2.0 * a * at(j, down)).max(self.settled);
             (0..=along).map(move |i| [x + a * (4.0 * at(i, along) - 2.0), y, z])
@@ -251,12 +251,13 @@ impl Stresses {
     /// # Errors
     /// As [`Stresses::at`].
     pub fn beneath(&self, [x, y]: [f64; 2]) -> Result<Vec<StressPoint>, StressError> {
-        const STEPS: u32 = 80;
+        /// Points from the least depth to the deepest, closer towards the surface.
+        const DEPTHS: u32 = 80;
         let deepest = 2.0 * self.solved.box_around()[1][0];
         let depth = |k: u32| {
-            self.settled + (deepest - self.settled) * (f64::from(k) / f64::from(STEPS)).powi(2)
+            self.settled + (deepest - self.settled) * (f64::from(k) / f64::from(DEPTHS)).powi(2)
         };
-        self.at(&(0..=STEPS).map(|k| [x, y, depth(k)]).collect::<Vec<_>>())
+        self.at(&(0..=DEPTHS).map(|k| [x, y, depth(k)]).collect::<Vec<_>>())
     }
 
     /// Writes `stresses.csv` with `points` (without points the section), and a picture of the section and

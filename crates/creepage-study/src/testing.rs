@@ -1,4 +1,4 @@
-//! Closed-form theories to report from, and contacts for them.
+//! Test theories in closed form, to report from, and contacts for them.
 
 use creepage::theory::{Diagnostic, TheoryFacts};
 use creepage::{
@@ -38,7 +38,7 @@ pub(crate) fn case(a_over_b: f64, given: [f64; 3]) -> Case {
     }
 }
 
-/// What a test knows of its theory.
+/// Kind of a test theory.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Trial {
     /// Complete sliding: traction at its bound along the rigid slip.
@@ -140,16 +140,16 @@ impl Theory for Tried {
     }
 
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
-        Box::new(Asked { theory: self, creepage })
+        Box::new(TriedSolution { theory: self, creepage })
     }
 }
 
-struct Asked<'t> {
+struct TriedSolution<'t> {
     theory: &'t Tried,
     creepage: Creepage,
 }
 
-impl Solved for Asked<'_> {
+impl Solved for TriedSolution<'_> {
     fn creepage(&self) -> Creepage {
         self.creepage
     }

@@ -1,4 +1,4 @@
-//! The report for a terminal: plain lines in aligned columns.
+//! Text report for a terminal: plain lines in aligned columns.
 
 use creepage::Hertz;
 use creepage::coulomb::Constraints;

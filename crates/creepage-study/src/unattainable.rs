@@ -1,11 +1,11 @@
-//! Forces that are prescribed and cannot be reached.
+//! Error of prescribed forces that no creepage gives.
 
 use std::error::Error;
 use std::fmt;
 
 use creepage::{Creepage, Force, Scaling};
 
-/// Prescribed forces that no creepage gives.
+/// Error of prescribed forces that no creepage gives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct UnattainableForce {
     /// Which of `fx`, `fy`, `mz` are prescribed.

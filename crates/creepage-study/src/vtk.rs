@@ -10,7 +10,7 @@ use crate::SolvedCase;
 use crate::gap::OnAreas;
 
 /// Points along and across.
-const POINTS: u32 = 49;
+const GRID_POINTS: u32 = 49;
 /// The outermost points lie this share of the way to the edge: on it the traction has a bound of
 /// zero, and linear theory's none at all.
 const OUTERMOST: f64 = 0.999;
@@ -51,8 +51,8 @@ impl SolvedCase {
         format!(
             "# vtk DataFile Version 3.0\n\
              creepage {}: theory {name}; SI units, on the lower body, x along rolling\n\
-             ASCII\nDATASET STRUCTURED_GRID\nDIMENSIONS {POINTS} {POINTS} 1\n\
-             POINTS {points} float\n",
+             ASCII\nDATASET STRUCTURED_GRID\nDIMENSIONS {GRID_POINTS} {GRID_POINTS} 1\n\
+             GRID_POINTS {points} float\n",
             env!("CARGO_PKG_VERSION")
         )
     }
@@ -62,12 +62,12 @@ impl SolvedCase {
 /// another towards the edge.
 fn grid() -> impl Iterator<Item = [f64; 2]> {
     let place = |k: u32| {
-        let angle = PI * (f64::from(k) / f64::from(POINTS - 1) - 0.5);
+        let angle = PI * (f64::from(k) / f64::from(GRID_POINTS - 1) - 0.5);
         (OUTERMOST * angle.sin(), OUTERMOST * angle.cos())
     };
-    (0..POINTS).flat_map(move |j| {
+    (0..GRID_POINTS).flat_map(move |j| {
         let (y, half) = place(j);
-        (0..POINTS).map(move |i| [half * place(i).0 / OUTERMOST, y])
+        (0..GRID_POINTS).map(move |i| [half * place(i).0 / OUTERMOST, y])
     })
 }
 
@@ -118,7 +118,7 @@ mod tests {
         numbers.flat_map(|line| line.split(' ')).map(|cell| cell.parse().unwrap()).collect()
     }
 
-    const COUNT: usize = (POINTS * POINTS) as usize;
+    const COUNT: usize = (GRID_POINTS * GRID_POINTS) as usize;
 
     #[test]
     fn every_array_is_as_long_as_the_grid() {

@@ -1,4 +1,4 @@
-//! The report as files: all of them or none.
+//! Writer of the report's files: all of them or none.
 
 use std::path::{Path, PathBuf};
 

@@ -16,7 +16,7 @@ use std::sync::Arc;
 use creepage::table::{Axis, Intervals, Provenance, Spec, Table, build};
 use creepage::theory::TheorySpec;
 use creepage::{Contact, Ellipse, Hertz, SiCreepage};
-use creepage_map::{ContactMap, Pressed, Side, State, WheelAnswer};
+use creepage_map::{ContactMap, HeightOrLoad, Side, State, WheelAnswer};
 use creepage_study::{
     Load, MapBuildError, MapPlan, MapResolution, MapStage, PitchRate, RailFriction, SolvedWheel,
     WheelsetCase, WheelsetFile, WheelsetPose, WheelsetVelocity, build_map, theory_spec,
@@ -121,7 +121,7 @@ fn solved(case: &WheelsetCase, state: &State, theory: &str) -> Option<SolvedWhee
     let theory = theory_spec(theory, &[] as &[&str]).unwrap();
     let friction = [RailFriction::Constant(state.friction), RailFriction::Constant(state.friction)];
     let case = WheelsetCase { theory, friction: Some(friction), ..case.clone() };
-    let Pressed::Height(z) = state.pressed else { return None };
+    let HeightOrLoad::Height(z) = state.pressed else { return None };
     let stance = WheelsetPose {
         side: Some(creepage_rail::Side::Right),
         y: state.y,
@@ -178,7 +178,7 @@ fn state(
         y,
         yaw,
         roll: Some(roll),
-        pressed: Pressed::Height(0.0),
+        pressed: HeightOrLoad::Height(0.0),
         pitch_rate: Some(0.0),
         friction: 0.3 + 0.15 * random.next(),
         speed: 20.0,
@@ -187,7 +187,8 @@ fn state(
     };
     let [z, _] = map.height_under(Side::Right, &state, load).ok()?;
     // Creepage about that of rolling without any: along by the pitch rate, across by the lateral velocity.
-    let mut state = State { pressed: Pressed::Height(z), pitch_rate: Some(20.0 / 0.46), ..state };
+    let mut state =
+        State { pressed: HeightOrLoad::Height(z), pitch_rate: Some(20.0 / 0.46), ..state };
     let wanted = [4e-3 * random.next(), 4e-3 * random.next()];
     for _ in 0..2 {
         let [along, across, _] = map.solve_wheel(Side::Right, &state).ok()?.patches[0].creepage;
@@ -460,7 +461,7 @@ fn the_critical_speed_of_a_whole_map() {
             y,
             yaw,
             roll: None,
-            pressed: Pressed::AxleLoad(100e3),
+            pressed: HeightOrLoad::AxleLoad(100e3),
             speed: 20.0,
             pitch_rate: None,
             lateral_velocity: 20.0 * drift,

@@ -5,7 +5,7 @@
 use std::fmt::Write as _;
 use std::fs;
 
-use creepage_rail::file::{Format, Wanted, read, write};
+use creepage_rail::file::{Format, ReadOptions, read, write};
 use creepage_rail::{Role, Side};
 use creepage_study::{CaseError, SolvedWheel, WheelsetFile, WheelsetFileError};
 
@@ -72,13 +72,13 @@ fn a_file_is_smoothed_as_if_it_had_been_before() {
     });
     let said = "reading = { z = \"up\", y = \"field-side\", smooth = 0.01 }";
     let here = contact(&wavy, &wheel("wheel.txt", said)).unwrap();
-    let wanted = Wanted {
+    let wanted = ReadOptions {
         role: Some(Role::Wheel),
         side: Some(Side::Right),
         field_side: Some(true),
         down: Some(false),
         smoothing: Some(creepage_rail::Smoothing::Wavelength(0.01)),
-        ..Wanted::default()
+        ..ReadOptions::default()
     };
     let smooth = read("wheel.txt", wavy.as_bytes(), &wanted).unwrap().profile;
     let before = write(&smooth, Format::Simpack, 1e-4);

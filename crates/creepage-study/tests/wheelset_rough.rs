@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use creepage::{SiForce, Status};
-use creepage_rail::file::{Format, Wanted, read, write};
+use creepage_rail::file::{Format, ReadOptions, read, write};
 use creepage_rail::{Role, Side, Standard};
 use creepage_study::{
     Caution, SolvedWheel, WheelsetError, WheelsetFile, WheelsetFileError, WheelsetReport,
@@ -60,13 +60,13 @@ fn measured_worn(
             [0, 1].map(|axis: usize| 1e3 * (worn[axis] + height * noise * point.normal()[axis]));
         format!("{y:.6} {z:.6}\n")
     });
-    let wanted = Wanted {
+    let wanted = ReadOptions {
         role: Some(Role::Wheel),
         unit: Some(1e-3),
         down: Some(true),
         field_side: Some(true),
         smoothing: smoothing.map(creepage_rail::Smoothing::Wavelength),
-        ..Wanted::default()
+        ..ReadOptions::default()
     };
     let text = rows.collect::<String>();
     let profile = read("measured.txt", text.as_bytes(), &wanted).unwrap().profile;
@@ -130,7 +130,7 @@ fn coordinates_rounded_to_hundredths_of_a_millimetre_are_rough() {
             .join("\n")
     };
     let solved = |decimals| {
-        let wanted = Wanted { role: Some(Role::Wheel), ..Wanted::default() };
+        let wanted = ReadOptions { role: Some(Role::Wheel), ..ReadOptions::default() };
         let profile = read("w.txt", text(decimals).as_bytes(), &wanted).unwrap().profile;
         on_measured(&write(&profile, Format::Simpack, 5e-5))
     };

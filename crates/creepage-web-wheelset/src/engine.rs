@@ -1,4 +1,4 @@
-//! What the page asks of a wheelset, answered in numbers and words.
+//! Engine of the wheelset explorer: answers of a wheelset in numbers and words.
 
 use std::fmt::Display;
 
@@ -89,7 +89,7 @@ impl Engine {
         let input = std::mem::take(&mut self.input);
         let (name, content) = input.split_at(name_length.min(input.len()));
         let role = if is_rail { Role::Rail } else { Role::Wheel };
-        let wanted = file::Wanted { role: Some(role), ..file::Wanted::default() };
+        let wanted = file::ReadOptions { role: Some(role), ..file::ReadOptions::default() };
         let reading = file::read(&String::from_utf8_lossy(name), content, &wanted);
         let Some(reading) = self.checked(reading) else { return false };
         let actions: Vec<String> = reading.actions.iter().map(ToString::to_string).collect();

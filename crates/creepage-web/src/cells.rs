@@ -1,5 +1,4 @@
-//! The contact ellipse cut into cells to draw: strips along the rolling direction, each cut over its
-//! own length.
+//! Cells of the contact ellipse to draw: strips along the rolling direction, each cut over its own length.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! What the page asks, answered in numbers and words.
+//! Engine of the explorer: answers of the page's contact in numbers and words.
 
 use std::fmt::Display;
 
@@ -56,18 +56,18 @@ impl Engine {
         let contact = Ellipse::from_ratio(a_over_b)
             .and_then(|ellipse| Contact::new(ellipse, poisson))
             .map(|contact| (contact.clone(), contact.ellipse()));
-        self.meet(contact)
+        self.set_contact(contact)
     }
 
     pub(crate) fn bodies(&mut self, bodies: &Bodies) -> bool {
         let contact = bodies
             .hertz()
             .and_then(|hertz| Ok((hertz.with_friction(bodies.friction)?, hertz.ellipse())));
-        self.meet(contact)
+        self.set_contact(contact)
     }
 
     /// From here on all is asked of this contact; the ellipse is in metres where it has dimensions.
-    fn meet<E: Display>(&mut self, contact: Result<(Contact, Ellipse), E>) -> bool {
+    fn set_contact<E: Display>(&mut self, contact: Result<(Contact, Ellipse), E>) -> bool {
         self.prepared.clear();
         self.contact = None;
         let Some((contact, ellipse)) = self.checked(contact) else { return false };

@@ -1,4 +1,4 @@
-//! A wheelset asked in numbers, as simulations do, and what it answers.
+//! Wheelset as a function of numbers, as simulations ask it: position and motion in, forces out.
 
 use crate::error::WheelsetError;
 use crate::pose::{Load, PitchRate, WheelsetPose, WheelsetVelocity};

@@ -1,4 +1,4 @@
-//! What a fine grid adds to the friction that a coarse one finds on a contact, from one position to others nearby.
+//! Fine-grid correction of a contact's friction, carried from one position to others nearby.
 //!
 //! It changes slowly as a wheelset moves, mostly by a thirtieth of what friction changes by: so it is carried along
 //! until that makes friction uncertain.
@@ -61,8 +61,7 @@ impl Correction {
         changes.iter().zip(OF_CHANGE).map(|(change, part)| part * change.magnitude()).sum()
     }
 
-    /// Whether the error bars of corrected friction are small enough beside the fine grid's, or would be if they had
-    /// grown so many times as much.
+    /// Whether the corrected error bar is below `GROWTH` times the fine grid's, with its growth scaled by `times`.
     pub(crate) fn holds(&self, corrected: &Solution, times: f64) -> bool {
         let Force { fx, fy, .. } = self.error;
         let growth = corrected.error.map_or(f64::INFINITY, |error| error.fx - fx - self.hidden);

@@ -1,5 +1,4 @@
-//! The rigid slip that a contact rolls with; on a curved one, what it has beyond creepage and spin at the
-//! reference point.
+//! Rigid slip of a contact; on a curved one, what it has beyond creepage and spin at the reference point.
 
 use creepage::{Creepage, Scaling};
 use creepage_rail::{Contact, Motion, RollingCreepage};
@@ -9,7 +8,7 @@ const ROWS: u32 = 64;
 /// Half the distance along `x` between the two places of a row, over the overlap's length.
 const APART: f64 = 0.2;
 
-/// What rolling is solved for, in a theory's units.
+/// Rigid motion for which rolling is solved, in a theory's units.
 #[derive(Debug, Clone)]
 pub(crate) struct RigidMotion {
     pub(crate) creepage: Creepage,

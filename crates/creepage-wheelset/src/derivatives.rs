@@ -1,9 +1,8 @@
-//! How the forces on the rails change with the wheelset's position and motion.
+//! Derivatives of the forces on the rails by the wheelset's position and motion.
 
 use creepage_rail::Side;
 
-/// What forces on the rails are differentiated by: a number that tells where the wheelset stands,
-/// or how it moves.
+/// Variable of the wheelset's position or motion, by which forces on the rails are differentiated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StateVariable {
     /// Its lateral position, to the right (m).
@@ -58,7 +57,7 @@ impl StateVariable {
     }
 }
 
-/// The derivative of what a wheel does to its rail, in track axes and per unit of [`StateVariable`].
+/// Derivative of a wheel's force and moment on its rail, in track axes and per unit of [`StateVariable`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ForceDerivative {
     /// Of the force along `x`, `y`, `z` (N).

@@ -1,11 +1,11 @@
-//! Why a wheelset cannot be solved.
+//! Errors of the wheelset solver.
 
 use creepage::InvalidValue;
 use creepage::gap::GapError;
 use creepage::normal::NormalError;
 use creepage_rail::{GeometryError, Side};
 
-/// Why a wheelset cannot be solved in a position and a motion.
+/// Error of the wheelset solver in a position and a motion.
 ///
 /// Messages name quantities by their keys of a case file and the section that has them.
 #[derive(Debug, thiserror::Error)]
@@ -139,7 +139,9 @@ pub enum WheelsetError {
         most: f64,
     },
     /// Height, roll or pitch rate do not follow from the rest.
-    #[error("[wheelset] no derivatives: what is found here does not follow what is given")]
+    #[error(
+        "[wheelset] no derivatives: the equilibrium is singular, what it finds does not follow from what is given"
+    )]
     NotDifferentiable,
     /// Surfaces that vary along rolling, asked for what is not known of them.
     #[error(

@@ -1,4 +1,4 @@
-//! What happens in the elements of a contact: kept, or found when it is asked for.
+//! Element field of a contact: kept, or computed when it is asked for.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -16,7 +16,7 @@ pub(crate) enum Field {
     Simplified(Box<March>),
 }
 
-/// A simplified theory and what it was solved for.
+/// Simplified theory, and the motion that it was solved for.
 #[derive(Debug, Clone)]
 pub(crate) struct March {
     pub(crate) theory: Arc<NonHertzianSimplified>,

@@ -26,7 +26,7 @@ pub struct FrictionOfPlace {
     points: Vec<[f64; 2]>,
 }
 
-/// What tells the place on a rail, in the axes of its profile.
+/// Coordinate of a place on the rail, in the axes of its profile.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlaceOnRail {
     /// Inclination of the surface (rad): negative on the gauge face, positive on the field side.

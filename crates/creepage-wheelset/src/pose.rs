@@ -1,4 +1,4 @@
-//! Where a wheelset stands, what holds it down, and how it moves.
+//! Pose, load and velocity of a wheelset, as far as they are given.
 
 use creepage_rail::{RailMotion, Side};
 
@@ -44,7 +44,7 @@ pub enum Patches {
     Apart,
 }
 
-/// Where a wheelset stands, as far as it is given.
+/// Pose of a wheelset, as far as it is given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WheelsetPose {
     /// One wheel alone; both where `None`.
@@ -73,7 +73,7 @@ impl WheelsetPose {
     }
 }
 
-/// What holds a wheelset down.
+/// Vertical constraint of a wheelset: load or height.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Load {
     /// Vertical force of the wheelset on the track (N); where it rolls freely, half of it on each rail.
@@ -118,7 +118,7 @@ impl Load {
     }
 }
 
-/// What a pitch rate is found from.
+/// Condition that gives a pitch rate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Drive {
     /// A torque about the axle (N m), positive where it drives forward: friction balances it. None
@@ -134,7 +134,7 @@ impl Default for Drive {
     }
 }
 
-/// How the wheels turn.
+/// Pitch rate of the wheels, or the condition that gives it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PitchRate {
     /// Together, at a given angular velocity about the axle (rad/s), or one that is found.
@@ -150,7 +150,7 @@ impl Default for PitchRate {
     }
 }
 
-/// How a wheelset moves, as far as it is given.
+/// Velocity of a wheelset, as far as it is given.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct WheelsetVelocity {
     /// Speed along the track (m/s); negative where it runs backwards.

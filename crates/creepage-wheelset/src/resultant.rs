@@ -1,4 +1,4 @@
-//! Forces and moments in the track's axes.
+//! Resultants: forces and moments in the track's axes.
 
 use std::ops::Add;
 

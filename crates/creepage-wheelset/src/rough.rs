@@ -1,5 +1,5 @@
-//! Profiles that are rough where they touch: bodies then meet on the crests of their waves, and the
-//! pressure says more about the measurement than about the wheel.
+//! Roughness of profiles where they touch: bodies then meet on the crests of their waves, and the pressure says more
+//! about the measurement than about the wheel.
 
 use creepage::SolidPair;
 use creepage::normal::NormalContact;
@@ -21,7 +21,7 @@ const PRESSURE: f64 = 1e9;
 /// Pressure that flattens the smallest wave that counts, over the peak pressure.
 const COUNTS: f64 = 0.1;
 
-/// Waves of a profile that are many, short, and high enough for the pressure to rest on their crests.
+/// Roughness of a profile: waves that are many, short, and high enough for the pressure to rest on their crests.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Roughness {
     /// The body whose profile it is.

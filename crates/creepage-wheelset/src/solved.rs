@@ -1,4 +1,4 @@
-//! A wheelset solved: its contacts, what they do to the rails, what may be off.
+//! Solved wheelset: its contacts, their forces on the rails, and its warnings.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -19,7 +19,7 @@ use crate::tilt::Placed;
 use crate::warm_start::{PitchState, PredictorCorrection};
 use creepage::theory::AreaTheory;
 
-/// A wheelset whose contacts are solved.
+/// Solved wheelset, with its contacts.
 #[derive(Debug, Clone)]
 pub struct SolvedWheelset {
     /// The left wheel; `None` where the right one was solved alone.

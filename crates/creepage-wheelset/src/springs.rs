@@ -1,4 +1,4 @@
-//! Rails without mass on springs: they move until the springs carry what the wheels press on them.
+//! Rails without mass on springs, by Newton's method: they move until the springs carry what the wheels press on them.
 //!
 //! The unknowns are the deviations of the sprung rails, the residual what the wheel presses on its rail, less
 //! what its springs carry, plus what else acts on it. Newton's method with a line search, its Jacobian by
@@ -29,13 +29,13 @@ pub struct RailSprings {
 
 const SIDES: [Side; 2] = [Side::Left, Side::Right];
 /// Steps of the differences across and down (m): forces scatter by some newtons, and contacts are stiff.
-const STEPS: [f64; 2] = [5e-6, 5e-7];
+const DIFFERENCE_STEPS: [f64; 2] = [5e-6, 5e-7];
 /// First radius of the trust region (m): contacts change their shape within it.
 const FIRST_RADIUS: f64 = 5e-5;
 /// It doubles where the change of forces was foreseen but for this part.
 const GOOD: f64 = 0.25;
 /// Longest step (m) from which a wheelset is solved beside the last position.
-const NEAR: f64 = 1e-4;
+const MAX_WARM_STEP: f64 = 1e-4;
 /// Part of the wheel's force to which springs carry it; by which loads are met at least; and below which each position
 /// is solved by itself.
 const SPRING_TOLERANCE: f64 = 1e-5;
@@ -204,8 +204,9 @@ impl Sprung<'_> {
         }
         let mut root = Root::new(far, [near.min(far), near.max(far)]);
         for _ in 0..MAX_STEPS {
-            let from = ((root.at - at[column]).abs() < NEAR && !self.is_close(&solved, &left))
-                .then_some(&solved);
+            let from = ((root.at - at[column]).abs() < MAX_WARM_STEP
+                && !self.is_close(&solved, &left))
+            .then_some(&solved);
             at[column] = root.at;
             (solved, left) = self.left_over(at, from, unknown)?;
             if self.is_alone_met(&solved, &left, column) || root.is_spent(NARROW) {
@@ -234,7 +235,7 @@ impl Sprung<'_> {
     ) -> Option<(DVector<f64>, SolvedWheelset, DVector<f64>)> {
         const SHORTEST: u32 = 8;
         // Close to the solution forces must not depend on the way there.
-        let from = (!self.is_close(from, left) && step.amax() < NEAR).then_some(from);
+        let from = (!self.is_close(from, left) && step.amax() < MAX_WARM_STEP).then_some(from);
         for halving in 0..SHORTEST {
             let moved = step * 0.5f64.powi(halving.cast_signed());
             // A step too far may leave the profiles: a shorter one does not.
@@ -364,7 +365,7 @@ impl Sprung<'_> {
     ) -> Result<DMatrix<f64>, WheelsetError> {
         let mut slopes = DMatrix::zeros(at.len(), at.len());
         for (k, (_, springs)) in self.rails.iter().enumerate() {
-            for (axis, step) in STEPS.into_iter().enumerate() {
+            for (axis, step) in DIFFERENCE_STEPS.into_iter().enumerate() {
                 let column = 2 * k + axis;
                 if !unknown[column] {
                     slopes[(column, column)] = -springs.stiffness[axis];

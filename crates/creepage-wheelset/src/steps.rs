@@ -1,4 +1,4 @@
-//! Wheels that roll in steps: each contact remembers its tractions from position to position.
+//! Transient rolling of a wheelset in steps: each contact remembers its tractions from position to position.
 //!
 //! In each position contacts are found and pressed as in steady rolling. What rolled before goes on: tractions stay
 //! where they are on the rail, and each element's goes with the contact that now lies nearest, so that areas grow,
@@ -19,7 +19,7 @@ use crate::solved::{SolvedContact, SolvedWheelset};
 use crate::solver::WheelsetSolver;
 use crate::tilt::{Placed, distance};
 
-/// From which tractions wheels begin to roll.
+/// Tractions from which wheels begin to roll.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum StepsStart {
     /// Just pressed together, without traction.
@@ -29,7 +29,7 @@ pub enum StepsStart {
     Steady,
 }
 
-/// How contacts go on from one position to the next, in numbers.
+/// Counts of contacts that go on, begin, end, split or join from one position to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct ContactChanges {
     /// Contacts where nothing was before: they begin without traction.
@@ -50,7 +50,7 @@ impl ContactChanges {
     }
 }
 
-/// Wheels at the end of a step.
+/// State of the wheels at the end of a step.
 #[derive(Debug, Clone)]
 pub struct SteppedWheelset {
     /// Their contacts, with the forces, tractions and status of this moment. Heights under a given load, and what

@@ -1,4 +1,4 @@
-//! How a contact plane lies in the track, and what tells one contact from its neighbours.
+//! Tilt of a contact plane in the track, and the identification of a contact among its neighbours.
 
 use creepage_rail::{Contact, contact_axes};
 
@@ -46,8 +46,8 @@ impl Tilt {
 /// Between the spots of contacts on a rail and on the guard rail beside it (m): these are no neighbours.
 const TO_GUARD: f64 = 10.0;
 
-/// What a contact is found again by in a position close by: `y` on the rail, and where surfaces vary along rolling
-/// the place along the track too (m); those on a guard rail have a `y` of their own, far off.
+/// Identity of a contact, by which it is found again in a position close by: `y` on the rail, and where surfaces
+/// vary along rolling the place along the track too (m); those on a guard rail have a `y` of their own, far off.
 pub(crate) trait Placed {
     fn tilt(&self) -> Tilt;
     fn spot(&self) -> [f64; 2];

@@ -1,4 +1,4 @@
-//! What a solved position tells of those nearby: the pitch rate, how loads share out, how it drifted.
+//! Warm start from a solved position: the pitch rate, the load sharing, and the predictor's error.
 
 use creepage_rail::{Contact, Side};
 
@@ -12,9 +12,9 @@ pub(crate) struct PitchState {
     pub(crate) slope: Option<f64>,
 }
 
-/// By how much a wheelset came to stand and turn otherwise than was expected from the position before: what
-/// pressing and rolling change as the contacts go along the profiles. A next step in the same
-/// direction drifts by as much in proportion.
+/// Correction of the predictor: by how much a wheelset came to stand and turn otherwise than was expected from
+/// the position before, as pressing and rolling change while the contacts go along the profiles. A next step in
+/// the same direction drifts by as much in proportion.
 #[derive(Debug, Clone)]
 pub(crate) struct PredictorCorrection {
     /// The step in shift and yaw, over what is near.
@@ -29,7 +29,7 @@ pub(crate) struct PredictorCorrection {
     pub(crate) sides: Vec<Vec<[f64; 2]>>,
 }
 
-/// What is known of the vertical loads from a position that was solved before.
+/// Warm start of the vertical loads, from a position that was solved before.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LateralForceRatios {
     /// Lateral and longitudinal force over load of contacts by their spot: what friction adds.

@@ -1,4 +1,4 @@
-//! What a number must be before a theory may use it.
+//! Checks of numbers before a theory uses them: range, and the error that names the quantity.
 
 /// A number outside the range in which a theory is defined.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

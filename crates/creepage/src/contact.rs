@@ -1,4 +1,4 @@
-//! The contact: what a theory of rolling is prepared for, Hertz's ellipse or areas of any shape.
+//! Contact that a theory of rolling is prepared for: Hertz's ellipse or areas of any shape.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! The dimensionless question and the dimensionless answer.
+//! Dimensionless creepage and force (4.20): the input and the output of every theory.
 
 use crate::check::{self, InvalidValue};
 

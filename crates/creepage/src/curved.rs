@@ -1,5 +1,5 @@
-//! Contacts whose surfaces turn across the rolling direction: a ball in its groove, a wheel's throat on a
-//! gauge corner. Arc length across in place of a plane, and a normal that turns with it.
+//! Curved contacts, whose surfaces turn across the rolling direction: a ball in its groove, a wheel's throat on a gauge
+//! corner. Arc length across in place of a plane, and a normal that turns with it.
 //!
 //! With `s` the arc length across, `alpha(s)` the direction of the surface there (the angle from the
 //! contact's middle, positive where it goes down to the lower body) and `h(x, s)` the undeformed distance
@@ -50,13 +50,13 @@ pub struct CurvedGap {
 }
 
 /// Points across by which a groove is given.
-const POINTS: u16 = 801;
+const GROOVE_POINTS: u16 = 801;
 /// Largest angle of a groove (rad): beyond, a vertical approach does not close it.
 const WIDEST: f64 = 1.4;
 /// Angle up to which a plane gap is given (rad).
 const STEEP: f64 = 1.0;
 
-/// Why a curved contact was not solved.
+/// Error of a curved contact that was not solved.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CurvedError {
@@ -119,9 +119,9 @@ impl CurvedGap {
             let middle = 0.5 * (widest + beyond);
             if meets(middle) { widest = middle } else { beyond = middle }
         }
-        let half = POINTS / 2;
+        let half = GROOVE_POINTS / 2;
         let angles =
-            (0..POINTS).map(|i| widest * (f64::from(i) - f64::from(half)) / f64::from(half));
+            (0..GROOVE_POINTS).map(|i| widest * (f64::from(i) - f64::from(half)) / f64::from(half));
         // On the right wall the surface rises: it goes away from the lower body.
         let angle: Vec<f64> = angles.map(|turn| -turn).collect();
         let gap = |a: &f64| {
@@ -243,7 +243,7 @@ impl CurvedGap {
         let mut approach = start.map_or_else(usual, Ok)?;
         let mut last = f64::NAN;
         let mut before: Option<[f64; 2]> = None;
-        for _ in 0..STEPS {
+        for _ in 0..MAX_LOAD_STEPS {
             let contact = self.pressed(pair, approach, resolution)?;
             let carried = contact.vertical() + lift(&contact)?;
             if (carried / load - 1.0).abs() < LOAD_TOLERANCE {
@@ -256,13 +256,13 @@ impl CurvedGap {
             before = Some([approach, carried]);
             approach *= (load / carried.max(0.1 * load)).powf(1.0 / power).clamp(0.5, 2.0);
         }
-        Err(CurvedError::Load { load, last, steps: STEPS })
+        Err(CurvedError::Load { load, last, steps: MAX_LOAD_STEPS })
     }
 }
 
 /// How nearly a load is met, and in how many steps.
 const LOAD_TOLERANCE: f64 = 1e-5;
-const STEPS: usize = 40;
+const MAX_LOAD_STEPS: usize = 40;
 
 /// Bodies pressed on a curved contact.
 #[derive(Debug, Clone)]
@@ -461,7 +461,7 @@ impl CurvedRolling {
         }
         // Regula falsi with the Illinois rule.
         let (mut of_low, mut of_high) = (at(low)?.2, at(high)?.2);
-        for _ in 0..STEPS {
+        for _ in 0..MAX_LOAD_STEPS {
             let middle = if of_high - of_low > 0.0 {
                 (low * of_high - high * of_low) / (of_high - of_low)
             } else {

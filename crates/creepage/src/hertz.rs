@@ -41,7 +41,7 @@ impl Radii {
     }
 }
 
-/// Why two bodies have no elliptic contact.
+/// Error of two bodies without elliptic contact.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum HertzError {

@@ -1,4 +1,4 @@
-//! A layer between the bodies: oxide, sand, clay, lubricant.
+//! Thin layer between the bodies: oxide, sand, clay, lubricant.
 
 use crate::check::{self, InvalidValue};
 use crate::scaling::Scaling;

@@ -1,4 +1,4 @@
-//! Between the dimensionless quantities of the theories and SI units: (4.20), one place.
+//! Scaling between the dimensionless quantities of the theories and SI units: (4.20), one place.
 
 use crate::check::{self, InvalidValue};
 use crate::creepage::{Creepage, Force};

@@ -1,4 +1,4 @@
-//! Elastic solids, and the one equivalent solid that a pair of them acts as (2.10).
+//! Elastic solids, and the equivalent solid of a pair (2.10).
 
 use crate::check::{self, InvalidValue};
 

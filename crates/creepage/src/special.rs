@@ -36,17 +36,17 @@ impl CompleteIntegrals {
 /// `C = (D - B)/e^2` loses digits near the circle; there the midpoint rule, which converges
 /// geometrically for a periodic integrand, takes over.
 fn integral_c(g: f64, b: f64, d: f64) -> f64 {
-    const POINTS: u32 = 48;
+    const MIDPOINTS: u32 = 48;
     if g < 0.5 {
         return (d - b) / ((1.0 - g) * (1.0 + g));
     }
-    let mean = (0..POINTS)
+    let mean = (0..MIDPOINTS)
         .map(|i| {
-            let (sin, cos) = ((f64::from(i) + 0.5) * PI / f64::from(POINTS)).sin_cos();
+            let (sin, cos) = ((f64::from(i) + 0.5) * PI / f64::from(MIDPOINTS)).sin_cos();
             (sin * cos).powi(2) / (cos * cos + g * g * sin * sin).powf(1.5)
         })
         .sum::<f64>()
-        / f64::from(POINTS);
+        / f64::from(MIDPOINTS);
     FRAC_PI_2 * mean
 }
 

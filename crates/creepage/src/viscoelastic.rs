@@ -22,7 +22,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::check::{self, InvalidValue};
 use crate::numerics::gauss::HALF_OF_GAUSS_10;
 
-/// How a body gives way in time.
+/// Relaxation of a body: its compliance over time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Relaxation {
     /// `f`: how much softer it is in the end, `G_g/G_r - 1`.
@@ -42,7 +42,7 @@ pub struct ViscoelasticCylinders {
     distance: f64,
 }
 
-/// The pressure between them under a load.
+/// Pressure between the cylinders under a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ViscoelasticPressure {
     cylinders: ViscoelasticCylinders,
@@ -53,7 +53,7 @@ pub struct ViscoelasticPressure {
     series: [f64; 3],
 }
 
-/// Why there is none.
+/// Error of viscoelastic cylinders without a solution.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ViscoelasticError {
@@ -140,7 +140,7 @@ impl ViscoelasticCylinders {
         let lean = self.ratio * self.distance / (1.0 + self.ratio + relative * relative);
         let mut at = [0.5 * lean.min(0.3 * half), half];
         let mut residual = self.residual(load, at);
-        for _ in 0..STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             let size = residual[0].hypot(residual[1]);
             if size < EXACT {
                 break;
@@ -397,11 +397,11 @@ impl ViscoelasticPressure {
     /// The largest pressure (Pa) and its place (m).
     #[must_use]
     pub fn largest(&self) -> [f64; 2] {
-        const POINTS: u16 = 64;
-        let angle = |k: u16| PI * f64::from(k) / f64::from(POINTS);
-        let highest = (1..POINTS)
+        const SAMPLES: u16 = 64;
+        let angle = |k: u16| PI * f64::from(k) / f64::from(SAMPLES);
+        let highest = (1..SAMPLES)
             .max_by(|i, j| self.at_angle(angle(*i)).total_cmp(&self.at_angle(angle(*j))))
-            .unwrap_or(POINTS / 2);
+            .unwrap_or(SAMPLES / 2);
         let [mut low, mut high] = [angle(highest - 1), angle(highest + 1)];
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
         for _ in 0..50 {
@@ -428,7 +428,7 @@ impl ViscoelasticPressure {
     }
 }
 
-const STEPS: usize = 60;
+const MAX_NEWTON_STEPS: usize = 60;
 /// Residuals that are zero but for rounding, and that are small enough.
 const EXACT: f64 = 1e-13;
 const RESIDUAL_TOLERANCE: f64 = 1e-8;

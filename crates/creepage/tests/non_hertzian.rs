@@ -88,7 +88,7 @@ fn going_on_leads_where_starting_anew_does() {
     let mut solved = theory.solve(creepage(0.3, -0.2, 0.5));
     for [xi, eta, chi] in [[0.301, -0.2, 0.5], [0.5, 0.1, 0.4], [-2.0, 1.0, 0.0], [0.0; 3]] {
         let at = creepage(xi, eta, chi);
-        solved.go_on(at, |_| [0.0; 2]);
+        solved.resolve_at(at, |_| [0.0; 2]);
         assert_eq!(solved.creepage(), at);
         let anew = theory.solve(at).solution();
         assert_eq!(solved.solution().status, Status::Solved);

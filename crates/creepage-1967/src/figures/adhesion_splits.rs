@@ -8,7 +8,8 @@ use crate::prelude::*;
 pub(crate) const ITEM: Item =
     Item::new("iv-2-split", "Proposition IV, 2. The area of adhesion splits", make);
 
-const STEP: f64 = 0.0125;
+/// Length of a step, over `a`.
+const STEP_LENGTH: f64 = 0.0125;
 
 fn make() -> Result<Reproduction, GalleryError> {
     let cases = [creeping()?, reversed()?];
@@ -39,7 +40,7 @@ fn make() -> Result<Reproduction, GalleryError> {
 fn creeping() -> Result<Vec<Station>, GalleryError> {
     let mut rolling = rolling_on::shifted(0.64)?;
     let motion = Motion::from(rolling_at([6.0, 0.0, 0.0]));
-    Ok(rolling_on::roll(&mut rolling, &motion, STEP, 96)?)
+    Ok(rolling_on::roll(&mut rolling, &motion, STEP_LENGTH, 96)?)
 }
 
 /// A force that changes its sign time and again.
@@ -48,7 +49,7 @@ fn reversed() -> Result<Vec<Station>, GalleryError> {
     let mut stations = Vec::new();
     for sign in [1.0, -1.0, 1.0, -1.0, 1.0, -1.0] {
         let motion = Motion::forces(sign * 0.8, 0.0);
-        stations.extend(rolling_on::roll(&mut rolling, &motion, STEP, 20)?);
+        stations.extend(rolling_on::roll(&mut rolling, &motion, STEP_LENGTH, 20)?);
     }
     Ok(stations)
 }

@@ -10,8 +10,8 @@ pub(crate) const ITEM: Item =
 
 const FORCE: f64 = 0.64;
 /// Steps (over `a`) of the picture, and of the same distance again.
-const STEP: f64 = 0.0125;
-const STEPS: usize = 160;
+const STEP_LENGTH: f64 = 0.0125;
+const STATION_COUNT: usize = 160;
 /// Carter's border.
 const CARTER: Pen = Pen { dashes: "3 4", ..Pen::OUTLINE };
 
@@ -20,7 +20,8 @@ fn make() -> Result<Reproduction, GalleryError> {
         let mut rolling = rolling_on::shifted(FORCE)?;
         rolling_on::roll(&mut rolling, &Motion::forces(FORCE, 0.0), step, steps)
     };
-    let (stations, finer) = (run(STEP, STEPS)?, run(0.5 * STEP, 2 * STEPS)?);
+    let (stations, finer) =
+        (run(STEP_LENGTH, STATION_COUNT)?, run(0.5 * STEP_LENGTH, 2 * STATION_COUNT)?);
     let [(at, jump), (_, half)] = [&stations, &finer].map(|stations| largest(stations));
     let mut data = Data::new(rolling_on::COLUMNS);
     rolling_on::collect(&mut data, "shifted, force held", &stations);
@@ -28,7 +29,7 @@ fn make() -> Result<Reproduction, GalleryError> {
         "border between adhesion and slip, cylinders",
         "can jump",
         format!(
-            "it jumps by {jump:.2} a in a step of {STEP} a at q = {:.2} a, by {half:.2} a in a step half \
+            "it jumps by {jump:.2} a in a step of {STEP_LENGTH} a at q = {:.2} a, by {half:.2} a in a step half \
              as long",
             stations[at].rolled.distance
         ),
@@ -56,7 +57,7 @@ fn largest(stations: &[Station]) -> (usize, f64) {
 fn sheet(stations: &[Station], at: usize) -> Sheet {
     // Carter's border: the share of adhesion is the root of 1 - F.
     let carter = 1.0 - 2.0 * (1.0 - FORCE).sqrt();
-    let last = STEP * STEPS as f64;
+    let last = STEP_LENGTH * STATION_COUNT as f64;
     let areas = rolling_on::panel(stations).curve(vec![[0.0, carter], [last, carter]], CARTER);
     let chosen = [(at.saturating_sub(2), OF_1967), (at + 2, FULL)];
     let x = Axis::new([-1.0, 1.0], Label::default().symbol("x").plain("/").symbol("a"));

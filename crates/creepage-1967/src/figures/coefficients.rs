@@ -1,5 +1,5 @@
-//! What Figs 3a and 3b share: coefficients over all ratios of the semi-axes, `a/b` growing to 1 on
-//! the left, `b/a` falling from 1 on the right.
+//! Shared computation of Figs 3a and 3b: coefficients over all ratios of the semi-axes, `a/b` growing to 1 on the left,
+//! `b/a` falling from 1 on the right.
 
 use creepage::InvalidValue;
 use creepage::approximate::linear::CreepageCoefficients;

@@ -75,21 +75,26 @@ fn errors(case: &Case) -> Result<Errors, InvalidValue> {
     Ok(Errors { grid, extrapolated, bar })
 }
 
-struct Found {
+struct SolvedGrids {
     size: f64,
     grid: Force,
     extrapolated: Force,
     bar: Force,
 }
 
-fn solve(case: &Case, [along, across]: [usize; 2]) -> Result<Found, InvalidValue> {
+fn solve(case: &Case, [along, across]: [usize; 2]) -> Result<SolvedGrids, InvalidValue> {
     let theory = Exact::new(&like_bodies(case.a_over_b, STEEL)?, Resolution::new(along, across)?)?;
     let solved = theory.solve_contact(rolling_at(case.at));
     let solution = solved.solution();
     let [along, across] = theory.elements();
     let size = (std::f64::consts::PI / (along * across) as f64).sqrt();
     let grid = of_the_finer_grid(&solved);
-    Ok(Found { size, grid, extrapolated: solution.force, bar: solution.error.unwrap_or_default() })
+    Ok(SolvedGrids {
+        size,
+        grid,
+        extrapolated: solution.force,
+        bar: solution.error.unwrap_or_default(),
+    })
 }
 
 /// The force of the finer grid by itself: tractions over their bounds, weighted with the share of

@@ -17,7 +17,7 @@ const A_UPSILON: f64 = 0.4;
 const CHI: f64 = A_UPSILON / ((1.0 - STEEL) * FRAC_PI_4);
 const CREEPAGE: [f64; 3] = [CHI * FRAC_1_SQRT_2, -CHI * FRAC_1_SQRT_2, CHI];
 const POLE: Mark = Mark::open(Shape::Diamond, "#b3261e");
-const LEAST: Mark = Mark::full(Shape::Circle, "#b3261e");
+const LEAST_TRACTION: Mark = Mark::full(Shape::Circle, "#b3261e");
 
 fn make() -> Result<Reproduction, GalleryError> {
     let circle = Ellipse::from_ratio(1.0)?;
@@ -49,7 +49,7 @@ fn make() -> Result<Reproduction, GalleryError> {
         sheet = sheet.panel(panel(circle, heading, &view, at.0));
     }
     let sheet = tractions::key(sheet)
-        .key(LEAST, Label::new("least traction over its bound"))
+        .key(LEAST_TRACTION, Label::new("least traction over its bound"))
         .key(POLE, Label::new("spin pole of the rigid bodies"));
     Ok(Reproduction::figure(&sheet, caption(least), data, agreement(least)))
 }
@@ -60,7 +60,7 @@ fn pole() -> [f64; 2] {
 
 fn panel(circle: Ellipse, heading: Label, view: &View, least: [f64; 2]) -> Panel {
     let panel = view.draw(contact::panel(circle, heading), |_| true);
-    contact::edge(panel, circle).marks(vec![least], LEAST).marks(vec![pole()], POLE)
+    contact::edge(panel, circle).marks(vec![least], LEAST_TRACTION).marks(vec![pole()], POLE)
 }
 
 /// Where the traction over its bound is least in the inner part of the contact, to 0.005, and

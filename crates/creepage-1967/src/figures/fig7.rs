@@ -71,7 +71,7 @@ fn make() -> Result<Reproduction, GalleryError> {
 fn slip_of_the_half_space() -> Result<Comparison, GalleryError> {
     /// Over the smaller semi-axis; the relative error of the asymptote is of its root.
     const DISTANCE: f64 = 1e-6;
-    const STEP: f64 = 1e-8;
+    const DIFFERENCE_STEP: f64 = 1e-8;
     let (ellipse, poisson) = (Ellipse::from_ratio(RATIO)?, 0.28);
     let constant = |value: f64| Polynomial::new(vec![value]);
     let (x, y) = (constant(STRENGTH[0]), constant(STRENGTH[1]));
@@ -84,8 +84,9 @@ fn slip_of_the_half_space() -> Result<Comparison, GalleryError> {
         let inner = normal(ellipse, t);
         let (sin, cos) = t.sin_cos();
         let at = [0, 1].map(|i| [ellipse.a() * cos, ellipse.b() * sin][i] - DISTANCE * inner[i]);
-        let [before, after] = [-STEP, STEP].map(|step| field.at([at[0] + step, at[1]]));
-        let found = [0, 1].map(|i| (after[i] - before[i]) / (2.0 * STEP));
+        let [before, after] =
+            [-DIFFERENCE_STEP, DIFFERENCE_STEP].map(|step| field.at([at[0] + step, at[1]]));
+        let found = [0, 1].map(|i| (after[i] - before[i]) / (2.0 * DIFFERENCE_STEP));
         // B^2 is twice the size of the gradient of r^2/2.
         let b = (2.0 * (cos / ellipse.a()).hypot(sin / ellipse.b())).sqrt();
         let by_4_41 = slip(poisson, inner, STRENGTH).map(|part| 2.0 * part / (b * DISTANCE.sqrt()));

@@ -1,4 +1,4 @@
-//! A file a figure.
+//! Figures of the thesis and of its claims, one module each.
 
 pub(crate) mod adhesion_splits;
 pub(crate) mod angles;

@@ -78,7 +78,7 @@ struct Rotation {
 /// The rotation about which no moment is left. Each contact in its own frame, which is the other's turned
 /// by half a turn about the lateral direction: `(p, q, s + w)` here is `(p, -q, s - w)` there.
 fn balanced(races: [&Race; 2], spin: f64, start: [f64; 3]) -> Result<Rotation, InvalidValue> {
-    const STEPS: usize = 40;
+    const MAX_NEWTON_STEPS: usize = 40;
     let [creep, turn, _] = races[0].units;
     let mut added = Vector3::from(start).component_mul(&Vector3::new(creep, creep, turn));
     let moments = |added: &Vector3<f64>| -> Result<(Vector3<f64>, Matrix3<f64>), InvalidValue> {
@@ -96,7 +96,7 @@ fn balanced(races: [&Race; 2], spin: f64, start: [f64; 3]) -> Result<Rotation, I
         Vector3::new(moment[0], moment[1], moment[2] / races[0].units[2]).norm()
     };
     let (mut here, mut slope) = moments(&added)?;
-    for _ in 0..STEPS {
+    for _ in 0..MAX_NEWTON_STEPS {
         if size(&here) < 1e-9 {
             break;
         }

@@ -1,4 +1,4 @@
-//! What the figures of proposition IV share: cylinders that roll, and their areas of adhesion over the
+//! Shared computation of the figures of proposition IV: cylinders that roll, and their areas of adhesion over the
 //! distance.
 
 use creepage::unsteady::{Motion, Rolled, Rolling};
@@ -9,7 +9,7 @@ use crate::prelude::*;
 /// Length of the cylinders over the half-width of their contact; it counts where creepage is given.
 const LENGTH: f64 = 1000.0;
 /// Areas of adhesion of two elements and less come and go with the elements.
-const LEAST: f64 = 0.08;
+const MIN_ADHESION_LENGTH: f64 = 0.08;
 
 /// The contact of two cylinders at some distance.
 pub(super) struct Station {
@@ -65,7 +65,7 @@ pub(super) fn adhesion(rolling: &Rolling) -> Vec<[f64; 2]> {
 
 /// Parts of the area of adhesion that are more than an element or two.
 pub(super) fn parts(station: &Station) -> usize {
-    station.adhesion.iter().filter(|[low, high]| high - low > LEAST).count()
+    station.adhesion.iter().filter(|[low, high]| high - low > MIN_ADHESION_LENGTH).count()
 }
 
 /// Where the area of adhesion ends towards the trailing edge.

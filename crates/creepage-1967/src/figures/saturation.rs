@@ -1,5 +1,5 @@
-//! What Figs 10 and 11 share: forces when all of the contact slides as if rigid, over the position
-//! of the spin pole, `xi/chi = upsilon cos alpha`, `eta/chi = upsilon sin alpha` (4.104).
+//! Shared computation of Figs 10 and 11: forces when all of the contact slides as if rigid, over the position of the
+//! spin pole, `xi/chi = upsilon cos alpha`, `eta/chi = upsilon sin alpha` (4.104).
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -14,7 +14,7 @@ const FORCE: f64 = 0.64;
 /// Contact widths rolled; in the last of them what there is counts as steady.
 const WIDTHS: usize = 3;
 /// Steps a contact width.
-const STEPS: usize = 24;
+const STEPS_PER_WIDTH: usize = 24;
 
 /// A contact and the direction of its force: `None` for cylinders.
 struct Case {
@@ -43,21 +43,21 @@ fn transient(case: &Case) -> Result<Curve, GalleryError> {
             (rolling, ratio.sqrt())
         }
     };
-    let step = 2.0 * a / STEPS as f64;
+    let step = 2.0 * a / STEPS_PER_WIDTH as f64;
     let mut curve = Curve::new();
-    for _ in 0..WIDTHS * STEPS {
+    for _ in 0..WIDTHS * STEPS_PER_WIDTH {
         let rolled = rolling.step(step, &Motion::forces(fx, fy))?;
         let creepage = if case.lateral { rolled.creepage.eta() } else { rolled.creepage.xi() };
         curve.push([rolled.distance / (2.0 * a), creepage]);
     }
-    let end = &curve[(WIDTHS - 1) * STEPS..];
+    let end = &curve[(WIDTHS - 1) * STEPS_PER_WIDTH..];
     let steady = end.iter().map(|point| point[1]).sum::<f64>() / end.len() as f64;
     Ok(curve.into_iter().map(|[q, creepage]| [q, creepage / steady]).collect())
 }
 
 /// The largest part of the steady creepage that is missing, or too much, from some width on.
 fn left(curve: &Curve, from: usize) -> f64 {
-    let off = curve[from * STEPS..].iter().map(|point| (point[1] - 1.0).abs());
+    let off = curve[from * STEPS_PER_WIDTH..].iter().map(|point| (point[1] - 1.0).abs());
     100.0 * off.fold(0.0, f64::max)
 }
 

@@ -17,7 +17,7 @@ const THEORIES: [(&str, usize, TractionBound, Pen); 3] = [
     ("M = 6, (5.9) alone", 6, TractionBound::Unchecked, THIRD),
 ];
 /// A step over the semi-axis, and how far it rolls in contact widths.
-const STEP: f64 = 0.1;
+const STEP_LENGTH: f64 = 0.1;
 const WIDTHS: f64 = 3.0;
 /// Of a force that is held (proposition IV, 3).
 const FORCE: f64 = 0.64;
@@ -43,12 +43,12 @@ fn curve(case: &Case, mut roll: Rolls) -> Result<Curve, GalleryError> {
         Some(parts) => Motion::from(rolling_at(parts)),
         None => Motion::forces(FORCE, 0.0),
     };
-    let steps = (2.0 * WIDTHS / STEP).round();
+    let steps = (2.0 * WIDTHS / STEP_LENGTH).round();
     let mut points = Curve::new();
     let mut done = 0.0;
     while done < steps {
         done += 1.0;
-        let rolled = roll(STEP, &motion)?;
+        let rolled = roll(STEP_LENGTH, &motion)?;
         let value = match case.creepage {
             Some([_, _, chi]) if chi != 0.0 => rolled.solution.force.fy,
             Some(_) => rolled.solution.force.fx,

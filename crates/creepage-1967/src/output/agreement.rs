@@ -1,9 +1,9 @@
-//! The table of agreement: what was printed, what is found.
+//! Table of agreement: printed values beside computed ones.
 
 use std::fmt::Write;
 
 use crate::comparison::{Comparison, Verdict};
-use crate::run::Made;
+use crate::item::Made;
 
 const HEADER: [&str; 7] = ["item", "quantity", "printed", "ours", "difference", "verdict", "note"];
 

@@ -1,4 +1,4 @@
-//! What is written: the files of each item, the table of agreement, and the page with all of it.
+//! Output files: those of each item, the table of agreement, and the HTML gallery.
 
 mod agreement;
 mod page;
@@ -8,7 +8,7 @@ pub use agreement::agreement_text;
 use rayon::prelude::*;
 
 use crate::error::GalleryError;
-use crate::run::Made;
+use crate::item::Made;
 
 /// A file to be written.
 #[derive(Debug, Clone, PartialEq, Eq)]

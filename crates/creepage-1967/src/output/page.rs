@@ -1,11 +1,11 @@
-//! The gallery: one page that needs nothing beside it, light or dark as the reader has it.
+//! HTML gallery: one page that needs nothing beside it, light or dark as the reader has it.
 
 use std::fmt::Write;
 
 use super::agreement::{SKETCHES, difference, summary};
 use crate::comparison::Comparison;
+use crate::item::Made;
 use crate::rows::{rows, states};
-use crate::run::Made;
 
 const STYLE: &str = include_str!("gallery.css");
 const TITLE: &str = "Kalker 1967, computed again";

@@ -1,6 +1,6 @@
 //! The three forms of number on the page (5.28): floating, fixed, integer.
 
-/// How numbers are written.
+/// Number format of the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Numbers {
     /// `3.10202512545e-3`

@@ -1,4 +1,4 @@
-//! A file a table.
+//! Tables of the thesis, one module each.
 
 pub(crate) mod claims;
 pub(crate) mod coefficients;

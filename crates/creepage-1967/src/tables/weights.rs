@@ -1,5 +1,5 @@
-//! What Tables 4 and 5 share: lateral forces with both weights, over creepages and meshes that fit
-//! the words of the thesis, which states neither.
+//! Shared computation of Tables 4 and 5: lateral forces with both weights, over creepages and meshes that fit the words
+//! of the thesis, which states neither.
 
 use creepage::Creepage;
 use creepage::variational::{Settings, Variational, Weight};

@@ -1,12 +1,12 @@
-//! Where in a row the question stands, and how it is read.
+//! Columns of a batch table, dimensionless or by which rows differ from a case: where they stand in a row, how their numbers are read, and the error of a row that is no case.
 
-use creepage::{Contact, Creepage, Ellipse};
-use creepage_study::{CaseError, GapVaried, Question, Varied};
+use creepage::{Contact, Creepage, Ellipse, InvalidValue};
+use creepage_study::{
+    BulkCase, BulkQuery, BulkRow, CaseError, CaseFile, DamageWanted, GapVaried, RowError, Varied,
+};
 use csv::ByteRecord;
 
-use super::field::{NoCase, parse};
-
-const QUESTION_COLUMNS: [&str; 5] = ["a_over_b", "poisson", "xi", "eta", "chi"];
+const QUERY_COLUMNS: [&str; 5] = ["a_over_b", "poisson", "xi", "eta", "chi"];
 /// May be missing: the bodies are like ones then.
 const DISSIMILARITY: &str = "kappa_over_mu";
 
@@ -26,7 +26,7 @@ enum Place {
     Value(f64),
 }
 
-/// Why a table is no table of cases.
+/// Error of a table that is no table of cases.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub(crate) enum ColumnError {
     #[error(
@@ -66,7 +66,7 @@ impl Columns {
     /// The columns of a header; `only` are the values that need no column.
     pub(super) fn find(header: &ByteRecord, only: [Option<f64>; 2]) -> Result<Self, ColumnError> {
         let mut found = [Place::Value(f64::NAN); 5];
-        for (k, column) in QUESTION_COLUMNS.into_iter().enumerate() {
+        for (k, column) in QUERY_COLUMNS.into_iter().enumerate() {
             let only = only.get(k).copied().flatten();
             let place = place_of(header, column)?.map(Place::Column).or(only.map(Place::Value));
             let missing = || ColumnError::Missing { column, found: names(header) };
@@ -77,12 +77,12 @@ impl Columns {
     }
 
     /// What a row asks.
-    pub(super) fn question(&self, row: &ByteRecord) -> Result<Question, NoCase> {
+    pub(super) fn query(&self, row: &ByteRecord) -> Result<BulkQuery, NoCase> {
         if row.len() != self.count {
             return Err(NoCase::FieldCount { found: row.len(), expected: self.count });
         }
         let mut numbers = [0.0; 5];
-        for ((number, place), column) in numbers.iter_mut().zip(self.places).zip(QUESTION_COLUMNS) {
+        for ((number, place), column) in numbers.iter_mut().zip(self.places).zip(QUERY_COLUMNS) {
             *number = match place {
                 Place::Column(place) => parse(column, &row[place])?,
                 Place::Value(value) => value,
@@ -93,7 +93,7 @@ impl Columns {
         let kappa_over_mu = dissimilarity.transpose()?.unwrap_or(0.0);
         let like = Contact::new(Ellipse::from_ratio(a_over_b)?, poisson)?;
         let contact = like.with_kappa_over_mu(kappa_over_mu)?;
-        Ok(Question { contact, creepage: Creepage::new(xi, eta, chi)?, touches: true })
+        Ok(BulkQuery { contact, creepage: Creepage::new(xi, eta, chi)?, touches: true })
     }
 }
 
@@ -111,4 +111,89 @@ pub(super) fn place_of(
 pub(super) fn names(header: &ByteRecord) -> String {
     let names = header.iter().map(|name| String::from_utf8_lossy(name.trim_ascii()));
     names.collect::<Vec<_>>().join(", ")
+}
+
+/// The case, and the places of what varies.
+#[derive(Debug, Clone)]
+pub(super) struct CaseColumns {
+    case: BulkCase,
+    places: Vec<usize>,
+    count: usize,
+}
+
+impl CaseColumns {
+    /// The columns of a header by which rows differ from the case of a file.
+    pub(super) fn find(header: &ByteRecord, file: &CaseFile) -> Result<Self, ColumnError> {
+        let (mut varied, mut places) = (Vec::new(), Vec::new());
+        for quantity in Varied::ALL {
+            if let Some(place) = place_of(header, quantity.name())? {
+                varied.push(quantity);
+                places.push(place);
+            }
+        }
+        if varied.is_empty() {
+            return Err(ColumnError::NothingVaries { found: names(header) });
+        }
+        let case =
+            BulkCase::new(file, varied).map_err(|error| ColumnError::Case(Box::new(error)))?;
+        Ok(Self { case, places, count: header.len() })
+    }
+
+    /// What is appended besides the dimensionless answer.
+    pub(super) fn appended(&self) -> Vec<&'static str> {
+        self.case.columns()
+    }
+
+    /// The laws of wear and fatigue, where their numbers are wanted.
+    pub(super) fn damage(&self) -> Option<&DamageWanted> {
+        self.case.damage()
+    }
+
+    /// What a row asks.
+    pub(super) fn row(&self, row: &ByteRecord) -> Result<BulkRow, NoCase> {
+        if row.len() != self.count {
+            return Err(NoCase::FieldCount { found: row.len(), expected: self.count });
+        }
+        let value = |(quantity, place): (&Varied, &usize)| {
+            let field = &row[*place];
+            let flat = quantity.is_radius() && field.trim_ascii() == b"flat";
+            if flat { Ok(f64::INFINITY) } else { parse(quantity.name(), field) }
+        };
+        let values: Vec<_> =
+            self.case.varied().iter().zip(&self.places).map(value).collect::<Result<_, _>>()?;
+        self.case.row(&values).map_err(|error| NoCase::Row(error.into()))
+    }
+}
+
+/// Error of a row that is no case.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub(super) enum NoCase {
+    #[error("the row has {found} fields, but the header {expected}")]
+    FieldCount { found: usize, expected: usize },
+    #[error("{column} is empty")]
+    EmptyField { column: &'static str },
+    #[error("{column} = `{text}` is not a number: decimals follow a point")]
+    DecimalComma { column: &'static str, text: String },
+    #[error("{column} = `{text}` is not a number")]
+    NotANumber { column: &'static str, text: String },
+    #[error(transparent)]
+    Invalid(#[from] InvalidValue),
+    #[error(transparent)]
+    Row(#[from] RowError),
+}
+
+/// The number of a field.
+pub(super) fn parse(column: &'static str, field: &[u8]) -> Result<f64, NoCase> {
+    let text = String::from_utf8_lossy(field.trim_ascii());
+    if text.is_empty() {
+        return Err(NoCase::EmptyField { column });
+    }
+    text.parse().map_err(|_| {
+        let (text, pointed) = (text.to_string(), text.replacen(',', ".", 1));
+        if pointed.parse::<f64>().is_ok() {
+            NoCase::DecimalComma { column, text }
+        } else {
+            NoCase::NotANumber { column, text }
+        }
+    })
 }

@@ -1,18 +1,18 @@
-//! Rows that differ from a case with `[gap]`: many contacts of any shape, on all cores.
+//! Batch rows that differ from a case with `[gap]`: many contacts of any shape, on all cores.
 
 use std::path::{Path, PathBuf};
 
 use creepage::normal::NormalError;
 use creepage::{Status, TheorySpec};
 use creepage_study::{
-    Caution, GapCaseError, GapFile, GapRows, GapSolver, GapValue, GapVaried, Pressed, SolvedCase,
-    Sources, theory_spec,
+    Caution, GapCaseError, GapFile, GapRows, GapSolver, GapValue, GapVaried, LoadOrApproach,
+    SolvedCase, Sources, theory_spec,
 };
 use csv::ByteRecord;
 use rayon::prelude::*;
 
 use super::columns::{ColumnError, names, place_of};
-use super::field::{NoCase, parse};
+use super::columns::{NoCase, parse};
 use super::rows::RowAnswer;
 use super::table::Table;
 use super::{free, write_answers};
@@ -170,7 +170,9 @@ impl Gaps {
         match self.solver.solve(&case) {
             Err(GapCaseError::Normal {
                 source: NormalError::NoContact { approach, .. }, ..
-            }) if matches!(case.pressed, Pressed::Approach(_)) => Ok(self.no_contact(approach)),
+            }) if matches!(case.pressed, LoadOrApproach::Approach(_)) => {
+                Ok(self.no_contact(approach))
+            }
             solved => Ok(self.numbers(&solved?)),
         }
     }

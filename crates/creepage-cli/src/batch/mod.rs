@@ -1,13 +1,9 @@
 //! `creepage batch`: CSV in, the same rows with forces appended out.
 
-mod case_columns;
 pub(crate) mod columns;
-mod field;
 mod gaps;
-mod progress;
-mod question;
+mod row_query;
 mod rows;
-mod sink;
 mod stream;
 mod table;
 mod tally;
@@ -17,17 +13,16 @@ use std::io::{self, Write};
 use std::sync::Arc;
 
 use creepage::{Contact, Ellipse, TheorySpec};
-use creepage_study::{AnyCaseFile, CaseFile, DamageWanted, Question, Solver, Sources, theory_spec};
+use creepage_study::{
+    AnyCaseFile, BulkQuery, CaseFile, DamageWanted, Solver, Sources, theory_spec,
+};
 use csv::ByteRecord;
 use rayon::prelude::*;
 
-use case_columns::CaseColumns;
-use columns::{ColumnError, Columns};
-use field::NoCase;
-use question::{Ask, Asked};
-use rows::{Answer, Rows};
-use sink::Sink;
-use stream::Stream;
+use columns::{CaseColumns, ColumnError, Columns, NoCase};
+use row_query::{Ask, RowQuery};
+use rows::{Answer, Rows, Sink};
+use stream::{Stream, progress_bar};
 use table::Table;
 use tally::Tally;
 
@@ -145,7 +140,7 @@ fn fill<A>(
     write: impl Fn(&mut Rows<&mut Sink>, ByteRecord, A) -> io::Result<()>,
 ) -> Result<Tally, Failure> {
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
-    let bar = progress::of(args);
+    let bar = progress_bar(args);
     let (mut stream, name) = (Stream::start(table.reader), table.name);
     loop {
         let rows = stream.next().map_err(|source| Failure::Rows { input: name.clone(), source })?;
@@ -166,11 +161,11 @@ fn fill<A>(
 /// The answers to rows, in their order.
 fn replies(ask: &Ask, solver: &Solver, rows: &[ByteRecord]) -> Vec<Answer> {
     let asked: Vec<_> = rows.par_iter().map(|row| ask.of(row)).collect();
-    let replies = solver.solve(asked.iter().map(question).collect());
+    let replies = solver.solve(asked.iter().map(query).collect());
     let together = asked.into_iter().zip(replies);
     together.map(|(asked, reply)| asked.and_then(|asked| Ok((asked, reply?)))).collect()
 }
 
-fn question(asked: &Result<Asked, NoCase>) -> Result<Question, NoCase> {
-    asked.as_ref().map(Asked::question).map_err(Clone::clone)
+fn query(asked: &Result<RowQuery, NoCase>) -> Result<BulkQuery, NoCase> {
+    asked.as_ref().map(RowQuery::query).map_err(Clone::clone)
 }

@@ -1,20 +1,19 @@
-//! The table that goes out: the rows that came in, each with its answer appended.
+//! Output table of a batch: the input rows, each with its answer appended, to a file that appears when it is whole, or to standard output.
 
-use std::error::Error;
-use std::io::{self, Write};
-
-use creepage::Status;
-use creepage_study::{BulkAnswer, Caution, DamageWanted, Reply};
-use csv::{ByteRecord, Writer, WriterBuilder};
-
-use super::field::NoCase;
-use super::question::Asked;
+use super::columns::NoCase;
+use super::row_query::RowQuery;
 use super::tally::Tally;
+use creepage::Status;
+use creepage_study::{BulkAnswer, Caution, DamageWanted, Reply, WholeFile};
+use csv::{ByteRecord, Writer, WriterBuilder};
+use std::error::Error;
+use std::io::{self, Stdout, Write};
+use std::path::Path;
 
 /// A row's answer: the reply to what it asked.
-pub(super) type Answer = Result<(Asked, Reply), NoCase>;
+pub(super) type Answer = Result<(RowQuery, Reply), NoCase>;
 
-/// What is appended to a row of areas of any shape or of a wheelset.
+/// Columns appended to a row of areas of any shape or of a wheelset.
 pub(super) struct RowAnswer {
     pub(super) numbers: Vec<f64>,
     pub(super) status: Status,
@@ -102,11 +101,11 @@ impl<W: Write> Rows<W> {
     }
 
     /// The answer's fields; numbers in the shortest form that reads back as the same number.
-    fn push_reply(&mut self, row: &mut ByteRecord, asked: &Asked, reply: Reply) {
+    fn push_reply(&mut self, row: &mut ByteRecord, asked: &RowQuery, reply: Reply) {
         let mut number = |value: f64| row.push_field(format!("{value:?}").as_bytes());
         let reply = match asked {
-            Asked::Dimensionless(_) => reply,
-            Asked::Case(asked) => {
+            RowQuery::Dimensionless(_) => reply,
+            RowQuery::Case(asked) => {
                 let answer = BulkAnswer::new(asked.clone(), reply);
                 answer.numbers(self.damage.as_ref()).for_each(&mut number);
                 answer.reply
@@ -140,5 +139,44 @@ fn into_io(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(source) => source,
         other => io::Error::other(format!("{other:?}")),
+    }
+}
+
+/// Destination of rows.
+pub(super) enum Sink {
+    Stdout(Stdout),
+    File(WholeFile),
+}
+
+impl Sink {
+    pub(super) fn open(out: Option<&Path>) -> io::Result<Self> {
+        out.map_or_else(
+            || Ok(Self::Stdout(io::stdout())),
+            |path| WholeFile::create(path).map(Self::File),
+        )
+    }
+
+    pub(super) fn finish(self) -> io::Result<()> {
+        match self {
+            Self::Stdout(mut stdout) => stdout.flush(),
+            Self::File(file) => file.finish(),
+        }
+    }
+
+    fn writer(&mut self) -> &mut dyn Write {
+        match self {
+            Self::Stdout(stdout) => stdout,
+            Self::File(file) => file,
+        }
+    }
+}
+
+impl Write for Sink {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.writer().write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.writer().flush()
     }
 }

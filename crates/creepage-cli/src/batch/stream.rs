@@ -1,12 +1,14 @@
-//! Rows as they come: read by a thread of their own, so that those that are there need not wait for
-//! those that are not.
+//! Stream of input rows, read by a thread of their own, so that those that are there need not wait for those that are not; and the progress bar of a batch, on a terminal only.
 
-use std::io::Read;
+use crate::batch_args::BatchArgs;
+use crate::output::{bar, bar_style, is_quiet};
+use csv::{ByteRecord, Reader};
+use indicatif::ProgressBar;
+use std::fs;
+use std::io::{self, IsTerminal, Read};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::thread;
 use std::time::{Duration, Instant};
-
-use csv::{ByteRecord, Reader};
 
 /// Time between two outputs.
 const BEAT: Duration = Duration::from_millis(200);
@@ -98,4 +100,19 @@ impl Stream {
         self.size = if taken > BEAT { self.size / 2 } else { self.size };
         self.size = self.size.clamp(1, MAX_ROWS);
     }
+}
+
+/// A bar over the bytes of the input file, or a count of rows where its size is not known.
+/// Hidden when standard error is no terminal, or when the rows themselves run over the screen.
+pub(super) fn progress_bar(args: &BatchArgs) -> ProgressBar {
+    if is_quiet() || (args.out.is_none() && io::stdout().is_terminal()) {
+        return ProgressBar::hidden();
+    }
+    let size = args.input.as_ref().and_then(|path| fs::metadata(path).ok());
+    let bar = match size.filter(fs::Metadata::is_file) {
+        Some(data) => bar(data.len(), "{wide_bar} {percent:>3} %  {msg}  {left}"),
+        None => ProgressBar::new_spinner().with_style(bar_style("{spinner} {msg}  {elapsed}")),
+    };
+    bar.enable_steady_tick(Duration::from_millis(200));
+    bar
 }

@@ -1,4 +1,4 @@
-//! The table of cases that comes in.
+//! Input table of a batch: CSV with a header.
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Cursor, Read};

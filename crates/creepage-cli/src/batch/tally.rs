@@ -1,14 +1,14 @@
-//! How many rows were answered, and how.
+//! Tally of batch rows by their outcome.
 
 use std::fmt;
 
 use creepage::Status;
 use creepage_study::{Caution, Reply};
 
-use super::field::NoCase;
+use super::columns::NoCase;
 use crate::outcome::Outcome;
 
-/// Counts of rows by what became of them.
+/// Counts of rows by their outcome.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Tally {
     rows: usize,

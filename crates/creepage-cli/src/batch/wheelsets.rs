@@ -1,4 +1,4 @@
-//! Rows that differ from a wheelset's file: positions, loads, motions and friction, on all cores.
+//! Batch rows that differ from a wheelset's file: positions, loads, motions and friction, on all cores.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use csv::ByteRecord;
 use rayon::prelude::*;
 
 use super::columns::{ColumnError, names, place_of};
-use super::field::{NoCase, parse};
+use super::columns::{NoCase, parse};
 use super::rows::RowAnswer;
 use super::table::Table;
 use super::{free, write_answers};

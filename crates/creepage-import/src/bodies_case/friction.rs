@@ -1,4 +1,4 @@
-//! Friction of a case as a case file has it.
+//! Conversion of a case's friction to the keys of a case file.
 
 use super::Cause;
 use crate::bodies::Bodies;

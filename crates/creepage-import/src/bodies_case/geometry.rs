@@ -1,6 +1,6 @@
-//! How the bodies of a case touch: radii, semi-axes, a line, or the undeformed distance.
+//! Conversion of a case's geometry: radii, semi-axes, a line, or the undeformed distance.
 
-use super::{Cause, Geometry, Pressed};
+use super::{Cause, Geometry, LoadOrApproach};
 use crate::bodies::{Bodies, Grid, Shape};
 use crate::read::Materials;
 use crate::text::{list, number};
@@ -10,7 +10,7 @@ pub(super) fn geometry(
     materials: &Materials,
     turned: bool,
     notes: &mut Vec<String>,
-) -> Result<(Geometry, Pressed), Cause> {
+) -> Result<(Geometry, LoadOrApproach), Cause> {
     let grid = case.grid.ok_or("no case has given a grid (D = 2)")?;
     let [load, ..] = case.kinematics;
     let has_load = case.control.has_load();
@@ -22,7 +22,10 @@ pub(super) fn geometry(
         -1 => [first, second],
         -2 => [first, first * ratio_of_curvatures(second)?],
         -3 if has_load => {
-            return Ok((Geometry::SemiAxes([first * 1e-3, second * 1e-3]), Pressed::Load(load)));
+            return Ok((
+                Geometry::SemiAxes([first * 1e-3, second * 1e-3]),
+                LoadOrApproach::Load(load),
+            ));
         }
         -3 => return Err("an approach with the semi-axes given (IPOTCN = -3, N = 0)".into()),
         kind if kind < 0 => return Err(format!("IPOTCN = {kind}: two half ellipses, or a box")),
@@ -35,10 +38,14 @@ pub(super) fn geometry(
 
 impl Geometry {
     /// Hertz's semi-axes along and across (m), of an ellipse under a load.
-    pub(super) fn semi_axes(&self, materials: &Materials, pressed: Pressed) -> Option<[f64; 2]> {
+    pub(super) fn semi_axes(
+        &self,
+        materials: &Materials,
+        pressed: LoadOrApproach,
+    ) -> Option<[f64; 2]> {
         match (self, pressed) {
             (Self::SemiAxes(own), _) => Some(*own),
-            (Self::Radii(radii), Pressed::Load(load)) => {
+            (Self::Radii(radii), LoadOrApproach::Load(load)) => {
                 let compliance: f64 = (0..2)
                     .map(|k| (1.0 - materials.poisson[k]) / (2e6 * materials.shear_modulus[k]))
                     .sum();
@@ -86,7 +93,7 @@ fn longer_axis(curvatures: [f64; 2], load: f64) -> Option<[f64; 2]> {
 }
 
 /// A single element: its pressure is uniform.
-fn rectangle(grid: Grid, load: f64, has_load: bool) -> Result<(Geometry, Pressed), Cause> {
+fn rectangle(grid: Grid, load: f64, has_load: bool) -> Result<(Geometry, LoadOrApproach), Cause> {
     if !has_load {
         return Err("a single element at a given approach (N = 0)".into());
     }
@@ -100,7 +107,7 @@ fn rectangle(grid: Grid, load: f64, has_load: bool) -> Result<(Geometry, Pressed
             ));
         }
     };
-    Ok((Geometry::Rectangle(half_lengths.map(|half| half * 1e-3)), Pressed::Load(load)))
+    Ok((Geometry::Rectangle(half_lengths.map(|half| half * 1e-3)), LoadOrApproach::Load(load)))
 }
 
 /// Bodies of constant curvatures (1/mm), `offset` apart (mm).
@@ -110,7 +117,7 @@ fn smooth(
     curvatures: [f64; 2],
     offset: f64,
     notes: &mut Vec<String>,
-) -> Result<(Geometry, Pressed), Cause> {
+) -> Result<(Geometry, LoadOrApproach), Cause> {
     let [first, second] = curvatures;
     if !(first > 0.0 && second > 0.0) {
         return Err("curvatures that are not above zero".into());
@@ -118,7 +125,7 @@ fn smooth(
     let radii = curvatures.map(|curvature| 0.5e-3 / curvature);
     let [load, ..] = case.kinematics;
     if case.control.has_load() {
-        return Ok((Geometry::Radii(radii), Pressed::Load(load)));
+        return Ok((Geometry::Radii(radii), LoadOrApproach::Load(load)));
     }
     let approach = (load - offset) * 1e-3;
     let is_unlike = materials.poisson[0] != materials.poisson[1]
@@ -132,14 +139,14 @@ fn smooth(
         let load = 4.0 / 3.0 / compliance * radii[0].sqrt() * approach.powf(1.5);
         let own = if is_unlike { ": friction between unlike bodies changes it" } else { "" };
         notes.push(format!("the load is Hertz's at the given approach{own}"));
-        return Ok((Geometry::Radii(radii), Pressed::Load(load)));
+        return Ok((Geometry::Radii(radii), LoadOrApproach::Load(load)));
     }
     let terms = format!(
         "polynomial = [[2, 0, {}], [0, 2, {}]]\n",
         number(first * 1e3),
         number(second * 1e3)
     );
-    Ok((Geometry::Gap(terms), Pressed::Approach(approach)))
+    Ok((Geometry::Gap(terms), LoadOrApproach::Approach(approach)))
 }
 
 /// A shape on a grid of elements (IPOTCN > 0).
@@ -148,7 +155,7 @@ fn shaped(
     materials: &Materials,
     turned: bool,
     notes: &mut Vec<String>,
-) -> Result<(Geometry, Pressed), Cause> {
+) -> Result<(Geometry, LoadOrApproach), Cause> {
     let grid = case.grid.ok_or("no case has given a grid (D = 2)")?;
     let shape = case.shape.as_ref().ok_or("no case has given a shape (Z = 1, 2)")?;
     let [load, ..] = case.kinematics;
@@ -160,8 +167,11 @@ fn shaped(
     {
         return smooth(case, materials, [first, second], offset, notes);
     }
-    let pressed =
-        if case.control.has_load() { Pressed::Load(load) } else { Pressed::Approach(load * 1e-3) };
+    let pressed = if case.control.has_load() {
+        LoadOrApproach::Load(load)
+    } else {
+        LoadOrApproach::Approach(load * 1e-3)
+    };
     let sign: f64 = if turned { -1.0 } else { 1.0 };
     let text = match shape {
         Shape::Quadratic(b) => {
@@ -216,7 +226,7 @@ fn line(
     case: &Bodies,
     shape: &Shape,
     notes: &mut Vec<String>,
-) -> Result<(Geometry, Pressed), Cause> {
+) -> Result<(Geometry, LoadOrApproach), Cause> {
     let grid = case.grid.ok_or("no case has given a grid (D = 2)")?;
     let radius = match *shape {
         Shape::Quadratic([curvature, _, _, _, _, _]) if curvature > 0.0 => 0.5 / curvature,
@@ -238,7 +248,7 @@ fn line(
         "one row of elements {} m wide is a line contact: forces are per metre",
         number(length)
     ));
-    Ok((Geometry::Line([radius * 1e-3, length]), Pressed::Load(load / length)))
+    Ok((Geometry::Line([radius * 1e-3, length]), LoadOrApproach::Load(load / length)))
 }
 
 /// The case with the middle of its paraboloid at the origin, and where that was (mm): in a shift or in rolling by

@@ -1,6 +1,6 @@
-//! Rolling from step to step, after a shift or steady rolling.
+//! Conversion of transient cases: a table of steps, after a shift or steady rolling.
 
-use super::{Cause, Geometry, Parts, Pressed};
+use super::{Cause, Geometry, LoadOrApproach, Parts};
 use crate::bodies::Bodies;
 use crate::read::Extra;
 use crate::text::{number, quoted, section};
@@ -19,12 +19,12 @@ struct Start {
     /// What shifted the bodies before (N).
     force: [f64; 2],
     /// Load or approach at that time.
-    pressed: Option<Pressed>,
+    pressed: Option<LoadOrApproach>,
 }
 
 impl Start {
     /// A shift from rest, or one that goes on from that before.
-    fn shift(&mut self, force: [f64; 2], pressed: Pressed) -> Result<(), Cause> {
+    fn shift(&mut self, force: [f64; 2], pressed: LoadOrApproach) -> Result<(), Cause> {
         let [from, to] = [self.force, force].map(|force| force[0].hypot(force[1]));
         let dot = self.force[0] * force[0] + self.force[1] * force[1];
         // Rounding of the file's digits turns no direction.
@@ -104,7 +104,7 @@ impl Parts<'_> {
             if rows.is_empty() {
                 own.pressed = start.pressed.unwrap_or(own.pressed);
             }
-            let is_given = |pressed| matches!(pressed, Pressed::Approach(_));
+            let is_given = |pressed| matches!(pressed, LoadOrApproach::Approach(_));
             if (is_given(parts.pressed) || is_given(own.pressed)) && parts.pressed != own.pressed {
                 return Err("an approach that changes from step to step".into());
             }
@@ -184,7 +184,7 @@ impl Parts<'_> {
     /// What a step is given.
     fn row(&self, distance: f64, forces: usize) -> Result<Row, Cause> {
         let (mut motion, mut load) = (self.creepages(self.case), 0.0);
-        if let Pressed::Load(given) = self.pressed {
+        if let LoadOrApproach::Load(given) = self.pressed {
             load = given;
         } else if forces > 0 {
             return Err("a given force over a friction force that is not known (N = 0)".into());
@@ -209,8 +209,8 @@ impl Parts<'_> {
             );
         }
         let nominal = match (self.pressed, rows.first()) {
-            (Pressed::Load(load), _) => load,
-            (Pressed::Approach(_), first) => first.map_or(0.0, |row| row.load),
+            (LoadOrApproach::Load(load), _) => load,
+            (LoadOrApproach::Approach(_), first) => first.map_or(0.0, |row| row.load),
         };
         let load_changes = rows.iter().any(|row| row.load != nominal);
         let layer = self.layer();

@@ -1,4 +1,4 @@
-//! A case of module 3 as a case file of creepage.
+//! Conversion of a case of module 3 to a case file of creepage.
 
 mod friction;
 mod geometry;
@@ -32,7 +32,7 @@ enum Geometry {
 
 /// Load (N, N/m on a line) or approach (m).
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Pressed {
+enum LoadOrApproach {
     Load(f64),
     Approach(f64),
 }
@@ -43,7 +43,7 @@ struct Parts<'a> {
     case: &'a Bodies,
     materials: &'a Materials,
     geometry: Geometry,
-    pressed: Pressed,
+    pressed: LoadOrApproach,
     /// Coefficient at rest.
     friction: f64,
     friction_text: String,
@@ -218,13 +218,13 @@ impl<'a> Parts<'a> {
     fn contact(&self, with_friction: bool) -> String {
         let mut keys = Vec::new();
         match (&self.geometry, self.pressed) {
-            (Geometry::Line([radius, length]), Pressed::Load(load)) => {
+            (Geometry::Line([radius, length]), LoadOrApproach::Load(load)) => {
                 keys.push(("line_load", number(load)));
                 keys.push(("radius_rolling", number(*radius)));
                 keys.push(("length", number(*length)));
             }
-            (_, Pressed::Load(load)) => keys.push(("normal_force", number(load))),
-            (_, Pressed::Approach(approach)) => keys.push(("approach", number(approach))),
+            (_, LoadOrApproach::Load(load)) => keys.push(("normal_force", number(load))),
+            (_, LoadOrApproach::Approach(approach)) => keys.push(("approach", number(approach))),
         }
         if let Geometry::Rectangle([along, across]) = self.geometry {
             keys.push(("half_length_rolling", number(along)));

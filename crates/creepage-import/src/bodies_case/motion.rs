@@ -1,6 +1,6 @@
-//! How the bodies of a case move: shifts and steady rolling.
+//! Conversion of the motion of a case's bodies: shifts and steady rolling.
 
-use super::{Cause, Geometry, Parts, Pressed};
+use super::{Cause, Geometry, LoadOrApproach, Parts};
 use crate::bodies::Bodies;
 use crate::read::Extra;
 use crate::text::{list, number, quoted, section};
@@ -85,7 +85,7 @@ impl Parts<'_> {
                 && parts.materials == self.materials
                 && parts.friction_text == self.friction_text;
             match parts.pressed {
-                Pressed::Load(load) if is_alone && load >= before => before = load,
+                LoadOrApproach::Load(load) if is_alone && load >= before => before = load,
                 _ => {
                     return Err(
                         "unlike bodies pressed together with friction, other than under a load \
@@ -134,7 +134,7 @@ impl Parts<'_> {
     fn path(&self, chain: &[Bodies]) -> Result<[(&'static str, String); 3], Cause> {
         let is_way = self.case.control.force() == 0;
         let key = if is_way { "shift" } else { "force" };
-        let Pressed::Load(nominal) = self.pressed else {
+        let LoadOrApproach::Load(nominal) = self.pressed else {
             return Err("a load path at a given approach of bodies other than balls (N = 0)".into());
         };
         let (mut steps, mut axis, mut at, mut under) = (Vec::new(), None, 0.0, nominal);
@@ -146,7 +146,7 @@ impl Parts<'_> {
             if !is_like {
                 return Err("a load path along which shape, friction or layer change".into());
             }
-            let Pressed::Load(load) = parts.pressed else {
+            let LoadOrApproach::Load(load) = parts.pressed else {
                 return Err(
                     "a load path at a given approach of bodies other than balls (N = 0)".into()
                 );
@@ -198,7 +198,7 @@ impl Parts<'_> {
             2 if turn == 0.0 => [x, y],
             _ => return Err("a shift that is given as a way, not by its force".into()),
         };
-        let Pressed::Load(load) = self.pressed else {
+        let LoadOrApproach::Load(load) = self.pressed else {
             return Err("a shift under a given approach".into());
         };
         Ok(given.map(|part| self.relative_force(part) * self.friction * load))
@@ -243,7 +243,7 @@ impl Parts<'_> {
                 continue;
             }
             let force = self.relative_force(self.case.kinematics[1 + k]);
-            let Pressed::Load(load) = self.pressed else {
+            let LoadOrApproach::Load(load) = self.pressed else {
                 return Err("a given force over a friction force that is not known (N = 0)".into());
             };
             if is_gap {
@@ -374,7 +374,7 @@ impl Parts<'_> {
         if self.case.control.force() == 0 {
             let [along, ..] = self.creepages(self.case);
             creepage.push(("longitudinal", number(along)));
-        } else if let Pressed::Load(_) = self.pressed {
+        } else if let LoadOrApproach::Load(_) = self.pressed {
             wanted.push(("fx", number(self.relative_force(self.case.kinematics[1]))));
         } else {
             return Err("a given force over a friction force that is not known (N = 0)".into());

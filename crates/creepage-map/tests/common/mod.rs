@@ -6,8 +6,8 @@ use creepage::approximate::polach::Polach;
 use creepage::table::{Axis, Intervals, Provenance, Spec, Table, build};
 use creepage::{Contact, InvalidValue, Theory};
 use creepage_map::{
-    CellError, ContactMap, Ellipse, HEIGHTS, Head, HeightNode, Heights, MapAccuracy, Patch,
-    Pressed, ROLLS, RollingNode, Sloped, State, TURNS, Turned, WheelMap,
+    CellError, ContactMap, Ellipse, HEIGHTS, Head, HeightNode, HeightOrLoad, Heights, MapAccuracy,
+    Patch, ROLLS, RollingNode, Sloped, State, TURNS, Turned, WheelMap,
 };
 
 pub const RADIUS: f64 = 0.46;
@@ -120,7 +120,7 @@ pub fn state() -> State {
         y: 0.0013,
         yaw: 0.003,
         roll: Some(0.000_1),
-        pressed: Pressed::Height(-2e-6),
+        pressed: HeightOrLoad::Height(-2e-6),
         speed: 20.0,
         pitch_rate: Some(20.0 / RADIUS),
         lateral_velocity: 0.02,

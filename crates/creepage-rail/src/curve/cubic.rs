@@ -1,4 +1,4 @@
-//! A parametric cubic, the piece of a spline; and the small rules that curves share.
+//! Parametric cubic, the piece of a spline; and the small rules that curves share.
 
 use super::{CurvePoint, Piece};
 

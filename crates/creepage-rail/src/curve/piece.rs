@@ -1,4 +1,4 @@
-//! One piece of a curve.
+//! Piece of a curve: a line, an arc, a graph or a cubic, by its own arc length.
 
 use super::{Cubic, CurvePoint, Graph};
 

@@ -3,7 +3,7 @@
 use super::spline::{check, cubics, runs};
 use super::{Cubic, Curve, Line, Piece, SplineError};
 
-/// How strongly points are smoothed.
+/// Strength of a smoothing spline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Smoothing {
     /// Waves of this length (m) keep half of their amplitude, whatever the spacing; longer ones more, shorter ones less.

@@ -2,7 +2,7 @@
 
 use super::{Cubic, Curve, Line, Piece};
 
-/// Points through which no curve goes.
+/// Error of points through which no curve goes.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SplineError {

@@ -1,4 +1,4 @@
-//! Two columns, and GENSYS's own.
+//! Reader of two-column files, and of GENSYS's own.
 
 use super::rows::{Point, Raw, fields, has_words, lines, numbers, uncommented};
 use super::{Action, FileError};

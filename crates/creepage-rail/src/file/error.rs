@@ -1,10 +1,10 @@
-//! What a profile file cannot be read for.
+//! Errors of profile files.
 
 use std::fmt;
 
 use crate::{ProfileError, Role};
 
-/// A profile file that makes no sense; lines count from 1.
+/// Error of a profile file; lines count from 1.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FileError {
@@ -230,10 +230,10 @@ pub enum FileError {
     },
 }
 
-/// What says that a profile is a wheel's or a rail's.
+/// Source of a profile's role, wheel or rail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SaidBy {
-    /// [`Wanted::role`](super::Wanted::role).
+    /// [`ReadOptions::role`](super::ReadOptions::role).
     Asker,
     /// The file's content.
     Content,

@@ -1,4 +1,4 @@
-//! JSON: arrays of points, or an array for each coordinate, anywhere in it.
+//! Reader of JSON: arrays of points, or an array for each coordinate, anywhere in it.
 
 use serde_json::{Map, Value};
 

@@ -1,4 +1,4 @@
-//! `MiniProf`: `Key=Value` lines or an older heading, an empty line, then columns, in mm.
+//! Reader of `MiniProf`: `Key=Value` lines or an older heading, an empty line, then columns, in mm.
 
 use super::rows::{Point, Raw, fields, has_words, last_line, lines, number, numbers, uncommented};
 use super::{Action, FileError, segments};

@@ -1,9 +1,9 @@
-//! Points brought to the house's form: metres, `y` to the field side, `z` down, in the order of
-//! the role. What the file says is looked at beside what the shape shows.
+//! Normalization of a profile's points to the house's form: metres, `y` to the field side, `z` down, in the order of the
+//! role. What the file says is looked at beside what the shape shows.
 
 use super::rows::{Point, Raw, move_all};
 use super::shape::{self, Shape, extent, level};
-use super::{Action, FileError, SaidBy, Wanted};
+use super::{Action, FileError, ReadOptions, SaidBy};
 use crate::Role;
 
 /// Lengths that profiles have, that most have, and widths that all have at most (m).
@@ -15,7 +15,7 @@ const WIDEST: f64 = 0.22;
 const UNITS: [(f64, std::ops::RangeInclusive<f64>); 4] =
     [(1e-3, 40.0..=500.0), (0.0254, 1.6..=19.7), (0.01, 4.0..=50.0), (1.0, 0.04..=0.5)];
 /// Points that a profile may have.
-const POINTS: std::ops::RangeInclusive<usize> = 3..=20_000;
+const POINT_COUNTS: std::ops::RangeInclusive<usize> = 3..=20_000;
 /// Where a wheel's flange back lies unless a case says otherwise, by how much it may differ, how
 /// far its tread may lie from `z = 0`, and anything from the origin, before that is told (m).
 const FLANGE_BACK: f64 = -0.070;
@@ -38,12 +38,12 @@ pub(super) struct Turned {
 pub(super) fn turned(
     raw: Raw,
     ending: Option<Role>,
-    wanted: &Wanted,
+    wanted: &ReadOptions,
     actions: &mut Vec<Action>,
 ) -> Result<Turned, FileError> {
     let mut points = raw.points;
     let (first, last) = (line(points.first()), line(points.last()));
-    if !POINTS.contains(&points.len()) {
+    if !POINT_COUNTS.contains(&points.len()) {
         return Err(FileError::Count { line: last, count: points.len() });
     }
     let known = wanted.unit.or(raw.unit.filter(|_| raw.unit_is_said));

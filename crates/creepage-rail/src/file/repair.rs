@@ -1,4 +1,4 @@
-//! What measured profiles need: repeated points, zig-zags, gaps, corners.
+//! Repair of measured profiles: repeated points, zig-zags, gaps, corners.
 
 use std::f64::consts::PI;
 

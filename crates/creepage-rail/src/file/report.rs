@@ -1,10 +1,10 @@
-//! What was found, assumed and done while reading.
+//! Report of a reading: what was found, assumed and done.
 
 use std::fmt;
 
 use crate::{Role, Smoothing};
 
-/// One thing that was found, assumed or done.
+/// Finding, assumption or repair while a file was read.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Action {

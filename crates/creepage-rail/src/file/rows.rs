@@ -1,4 +1,4 @@
-//! Lines and numbers.
+//! Lines of a profile file, split into numbers.
 
 use super::{Action, FileError};
 use crate::Role;
@@ -13,7 +13,7 @@ pub(super) struct Point {
     pub(super) at: [f64; 2],
 }
 
-/// What a file says, before anything is done to it.
+/// Content of a file, before anything is done to it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Raw {
     pub(super) role: Option<Role>,

@@ -1,4 +1,4 @@
-//! What scans bring along: values that are no numbers, spikes, parts measured twice.
+//! Removal of scanner artefacts: values that are no numbers, spikes, parts measured twice.
 
 use super::orientation::{distance, length};
 use super::repair::{REACH, turn_at};

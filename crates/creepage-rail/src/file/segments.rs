@@ -1,4 +1,4 @@
-//! `MiniProf` by segments: arcs and lines that make up a reference profile, as points.
+//! Reader of `MiniProf` by segments: arcs and lines that make up a reference profile, as points.
 
 use super::FileError;
 use super::rows::{Point, numbers};

@@ -1,4 +1,4 @@
-//! What a profile's shape shows: a wheel's flange, a rail's head, and which way up they are.
+//! Recognition of a profile by its shape: a wheel's flange, a rail's head, and which way up they are.
 //!
 //! Only plain shapes count. A disc, a groove, a crossing or part of a profile show nothing, and
 //! what the file says of them is believed.
@@ -25,7 +25,7 @@ const CROWN: f64 = 0.006;
 /// What goes down does so this many times as far as anything goes up.
 const CLEARLY: f64 = 1.5;
 
-/// A shape that shows what it is.
+/// Recognized shape of a profile.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Shape {
     /// A tread with a flange at the lower or the higher `y`; `z` may point up.

@@ -1,4 +1,4 @@
-//! Simpack: keys and points in blocks, and what the keys ask to be done to the points.
+//! Reader of Simpack's files: keys and points in blocks, and what the keys ask to be done to the points.
 
 use super::rows::{Point, Raw, last_line, lines, move_all, numbers};
 use super::{Action, FileError};

@@ -1,5 +1,5 @@
-//! Lists of slices of the program CONTACT (`.slcs` of rails, `.slcw` of wheels), by its public user guide: offset
-//! and scale of the places, counts, then places with names of profiles, then arc lengths of features.
+//! Reader of lists of slices of the program CONTACT (`.slcs` of rails, `.slcw` of wheels), by its public user guide:
+//! offset and scale of the places, counts, then places with names of profiles, then arc lengths of features.
 
 use crate::Role;
 
@@ -17,7 +17,7 @@ pub struct SliceList {
     pub accelerations: usize,
 }
 
-/// A list that cannot be read.
+/// Error of a list that cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SliceListError {

@@ -1,4 +1,4 @@
-//! The text of a file: its encoding, its ends of lines, its decimal commas.
+//! Decoding of a file's text: its encoding, its ends of lines, its decimal commas.
 
 use super::Action;
 use super::rows::{lines, uncommented};

@@ -1,5 +1,5 @@
-//! VAMPIRE: lines of heading, then left and right profile side by side, in mm; some programs write
-//! one side alone, or titles of their own.
+//! Reader of VAMPIRE's files: lines of heading, then left and right profile side by side, in mm; some programs write one
+//! side alone, or titles of their own.
 
 use super::rows::{Point, Raw, has_words, last_line, lines, numbers, uncommented};
 use super::{Action, FileError};

@@ -1,4 +1,4 @@
-//! Profiles written to files, in mm to a tenth of a nanometre.
+//! Writer of profile files, in mm to a tenth of a nanometre.
 
 use std::fmt::Write as _;
 

@@ -1,4 +1,4 @@
-//! Wheels. Lengths in mm, as the standards print them.
+//! Standard wheel profiles. Lengths in mm, as the standards print them.
 
 use super::zones::Zone::{Down, Line, Polynomial, Up};
 use super::zones::{Zone, profile};

@@ -1,4 +1,4 @@
-//! What a wheel can see of a rail from above: its highest point and outwards, as long as `y` goes on.
+//! Visible part of a rail from above: its highest point and outwards, as long as `y` goes on.
 
 use super::Rail;
 use crate::GeometryError;

@@ -1,6 +1,6 @@
 //! A profile is looked at before it is believed: shape beside words, odd texts, odd scans.
 
-use creepage_rail::file::{Action, FileError, Reading, Wanted, read, write};
+use creepage_rail::file::{Action, FileError, ReadOptions, Reading, read, write};
 use creepage_rail::{Profile, Role, Side, Standard};
 
 use super::{Format, Moved, apart, columns, head, read_rail, rows, wanted};
@@ -16,7 +16,7 @@ fn wheel() -> Vec<[f64; 2]> {
 }
 
 fn open(name: &str, text: &str) -> Result<Reading, FileError> {
-    read(name, text.as_bytes(), &Wanted::default())
+    read(name, text.as_bytes(), &ReadOptions::default())
 }
 
 fn simpack(kind: u8, keys: &str, points: &[[f64; 2]]) -> String {
@@ -109,8 +109,8 @@ fn a_shape_that_contradicts_the_role_names_both() {
     let found = read("w.ban", ban(&wheel()).as_bytes(), &wanted(Role::Wheel)).unwrap();
     assert!(found.actions.contains(&Action::RoleAsked { role: Role::Wheel }));
     let senses = [
-        (Wanted { down: Some(false), ..Wanted::default() }, "z = up"),
-        (Wanted { field_side: Some(false), ..Wanted::default() }, "y = track-side"),
+        (ReadOptions { down: Some(false), ..ReadOptions::default() }, "z = up"),
+        (ReadOptions { field_side: Some(false), ..ReadOptions::default() }, "y = track-side"),
     ];
     for (wanted, words) in senses {
         let error = read("w.txt", columns(&wheel()).as_bytes(), &wanted).unwrap_err().to_string();
@@ -195,7 +195,7 @@ fn texts_are_read_in_any_dress() {
         ("w.whe", format!("WHEEL\nmeasured 2024\n{text}").into(), None),
     ];
     for (index, (name, content, action)) in dressed.into_iter().enumerate() {
-        let found = read(name, &content, &Wanted::default());
+        let found = read(name, &content, &ReadOptions::default());
         let found = found.unwrap_or_else(|error| panic!("{index}: {error}"));
         assert_eq!(found.points, points.len(), "{index}: {:?}", found.actions);
         assert!(apart(&found.profile, &plain, WHEEL) < 1e-12, "{index}");
@@ -454,7 +454,7 @@ fn vampire_under_other_titles() {
     let text = format!("R 60\n left right\n{}\n", data.join("\n"));
     let plain = read("r.rai", both.as_bytes(), &wanted(Role::Rail)).unwrap().profile;
     for side in [Side::Left, Side::Right] {
-        let wanted = Wanted { side: Some(side), ..Wanted::default() };
+        let wanted = ReadOptions { side: Some(side), ..ReadOptions::default() };
         let found = read("r.rai", text.as_bytes(), &wanted).unwrap();
         assert!(apart(&found.profile, &plain, RAIL) < 1e-9);
     }

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp)]
 
-use creepage_rail::file::{Action, FileError, Format, Reading, Wanted, read, write};
+use creepage_rail::file::{Action, FileError, Format, ReadOptions, Reading, read, write};
 use creepage_rail::{Profile, Role, Side, Smoothing, Standard};
 
 mod believed;
@@ -18,8 +18,8 @@ const FORMATS: [(Format, [&str; 2]); 6] = [
     (Format::Json, ["a.json", "a.json"]),
 ];
 
-fn wanted(role: Role) -> Wanted {
-    Wanted { role: Some(role), side: Some(Side::Right), ..Wanted::default() }
+fn wanted(role: Role) -> ReadOptions {
+    ReadOptions { role: Some(role), side: Some(Side::Right), ..ReadOptions::default() }
 }
 
 /// Columns of a profile in its own coordinates, one line a point, in mm.
@@ -60,7 +60,7 @@ fn every_format_is_written_and_read_back() {
             let text = write(&profile, format, 2e-4);
             let name = names[usize::from(standard.role() == Role::Wheel)];
             for side in [Side::Left, Side::Right] {
-                let wanted = Wanted { side: Some(side), ..wanted(standard.role()) };
+                let wanted = ReadOptions { side: Some(side), ..wanted(standard.role()) };
                 let found = read(name, text.as_bytes(), &wanted).unwrap();
                 assert_eq!(found.format, format);
                 assert_eq!(found.profile.role(), standard.role());
@@ -79,7 +79,7 @@ fn roles_are_told_or_asked_for() {
     let wheel = Standard::S1002.profile();
     for (format, names) in FORMATS {
         let text = write(&wheel, format, 5e-4);
-        let wanted = Wanted { side: Some(Side::Left), ..Wanted::default() };
+        let wanted = ReadOptions { side: Some(Side::Left), ..ReadOptions::default() };
         let found = read(names[1], text.as_bytes(), &wanted);
         let found = found.unwrap();
         assert_eq!(found.profile.role(), Role::Wheel, "{format:?}");
@@ -88,11 +88,11 @@ fn roles_are_told_or_asked_for() {
     }
     // An arc may be that of a disc or of a rail.
     let arc: Vec<[f64; 2]> = (-30..=30).map(f64::from).map(|y| [y, 0.1 * y * y / 30.0]).collect();
-    let found = read("a.txt", columns(&arc).as_bytes(), &Wanted::default());
+    let found = read("a.txt", columns(&arc).as_bytes(), &ReadOptions::default());
     assert!(matches!(found, Err(FileError::Ask { .. })), "{found:?}");
     let both = write(&wheel, Format::Vampire, 5e-4);
     assert!(matches!(
-        read("a.whe", both.as_bytes(), &Wanted::default()),
+        read("a.whe", both.as_bytes(), &ReadOptions::default()),
         Err(FileError::Ask { .. })
     ));
 }
@@ -137,7 +137,7 @@ fn whole_wheels_with_their_faces() {
     let back = (1..40).map(|i| [0.005 - 0.001 * f64::from(i), 9.5 - 0.4 * f64::from(i)]);
     let points: Vec<[f64; 2]> = rim.chain(tread).chain(back).collect();
     let text = format!("#MINIWHEELPROF\nMINIPROF 2020\n\n{}", columns(&points));
-    let found = read("x.whl", text.as_bytes(), &Wanted::default()).unwrap();
+    let found = read("x.whl", text.as_bytes(), &ReadOptions::default()).unwrap();
     assert!(!found.actions.contains(&Action::TurnedOver));
     assert!(!found.actions.contains(&Action::Mirrored));
     let height = found.profile.at_y(0.015).unwrap().z;
@@ -156,7 +156,7 @@ fn simpack_applies_its_keys_in_order() {
         )
     };
     let read = |keys: &str, rows: &[[f64; 2]]| {
-        read("a.prr", text(keys, rows).as_bytes(), &Wanted::default()).unwrap()
+        read("a.prr", text(keys, rows).as_bytes(), &ReadOptions::default()).unwrap()
     };
     let plain = read("bound.y.min = 1\n bound.y.max = 0", &points);
     assert_eq!(plain.points, points.len());
@@ -185,19 +185,19 @@ fn miniprof_in_its_layouts() {
     let old = rows(&points, |[y, z]| format!("{} {}", -y, -z));
     let old = format!("#MINIRAILPROF\nMINIPROF 2020\nmp.name x\n1.0 2.0 3.0\n\n{old}");
     for text in [&newer, &old] {
-        let found = read("a.ban", text.as_bytes(), &Wanted::default()).unwrap();
+        let found = read("a.ban", text.as_bytes(), &ReadOptions::default()).unwrap();
         assert_eq!((found.format, found.points), (Format::MiniProf, points.len()));
         assert!(found.actions.contains(&Action::TurnedOver));
         assert!(apart(&found.profile, &Standard::Uic60.profile(), [-0.020, 0.020]) < 100e-9);
     }
     let last = newer.replace("\n\nrest", " \" remark\n\nrest");
-    assert!(read("a.ban", last.as_bytes(), &Wanted::default()).is_ok());
+    assert!(read("a.ban", last.as_bytes(), &ReadOptions::default()).is_ok());
     let deselected = newer.replacen("0.5,", "\" 0.5,", 2);
-    let found = read("a.ban", deselected.as_bytes(), &Wanted::default()).unwrap();
+    let found = read("a.ban", deselected.as_bytes(), &ReadOptions::default()).unwrap();
     assert!(found.actions.contains(&Action::Skipped { count: 2 }));
     let short = newer.replace("\nrest of the file", "").replace("XYPoints=", "XYPoints=9");
     assert!(matches!(
-        read("a.ban", short.as_bytes(), &Wanted::default()),
+        read("a.ban", short.as_bytes(), &ReadOptions::default()),
         Err(FileError::Missing { .. })
     ));
 }
@@ -234,7 +234,7 @@ fn faults_of_scans_are_repaired_and_told() {
     // One point far off.
     let mut points = head();
     points[150] = [-36.0, 25.0];
-    let down = Wanted { down: Some(true), ..wanted(Role::Rail) };
+    let down = ReadOptions { down: Some(true), ..wanted(Role::Rail) };
     let found = read("r.txt", columns(&points).as_bytes(), &down).unwrap();
     let spike = |a: &Action| matches!(a, Action::Spike { line: 151, point: 151, .. });
     assert!(found.actions.iter().any(spike), "{:?}", found.actions);
@@ -275,11 +275,11 @@ fn what_makes_no_sense_names_its_line() {
     let crossing = read(
         "r.txt",
         columns(&round).as_bytes(),
-        &Wanted { down: Some(true), ..wanted(Role::Rail) },
+        &ReadOptions { down: Some(true), ..wanted(Role::Rail) },
     );
     assert!(matches!(crossing, Err(FileError::Crosses { line: 2.., .. })), "{crossing:?}");
     let inches: Vec<[f64; 2]> = points.iter().map(|[y, z]| [y / 25.4, z / 25.4]).collect();
-    let asked = Wanted { unit: Some(1e-3), ..wanted(Role::Rail) };
+    let asked = ReadOptions { unit: Some(1e-3), ..wanted(Role::Rail) };
     let found = read("r.txt", columns(&inches).as_bytes(), &asked);
     assert!(matches!(found, Err(FileError::Length { line: 1, .. })), "{found:?}");
     let headed = format!("y,z\n{}", columns(&points).replace(' ', ","));
@@ -312,7 +312,7 @@ fn smoothing_brings_back_curvature() {
         head().iter().enumerate().map(|(i, [y, z])| [*y, z + noise(i)]).collect();
     let worst = |smoothing: Option<f64>| {
         let smoothing = smoothing.map(Smoothing::Wavelength);
-        let wanted = Wanted { smoothing, ..wanted(Role::Rail) };
+        let wanted = ReadOptions { smoothing, ..wanted(Role::Rail) };
         let profile = read("r.txt", columns(&points).as_bytes(), &wanted).unwrap().profile;
         let off = (-80..=80).map(|i| f64::from(i) * 1e-4);
         off.map(|y| (profile.at_y(y).unwrap().curvature - 1.0 / 0.3).abs()).fold(0.0, f64::max)

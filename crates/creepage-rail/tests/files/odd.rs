@@ -51,7 +51,7 @@ fn points_in_no_order_are_refused_as_such() {
 fn miniprof_with_more_points_than_it_says() {
     let points = wheel();
     let text = format!("XYPoints=100\n\n{}", columns(&points));
-    let found = read("w.whl", text.as_bytes(), &Wanted::default()).unwrap();
+    let found = read("w.whl", text.as_bytes(), &ReadOptions::default()).unwrap();
     assert_eq!(found.points, points.len());
     assert!(found.actions.contains(&Action::MorePoints { said: 100, found: points.len() }));
 }
@@ -62,7 +62,7 @@ fn a_flange_alone_is_asked_about() {
     let flange: Vec<[f64; 2]> = wheel().into_iter().filter(|[y, _]| *y < -25.0).collect();
     let found = read_wheel(&columns(&flange));
     assert!(matches!(found, Err(FileError::Ask { .. })), "{found:?}");
-    let said = Wanted { down: Some(true), field_side: Some(true), ..wanted(Role::Wheel) };
+    let said = ReadOptions { down: Some(true), field_side: Some(true), ..wanted(Role::Wheel) };
     assert!(read("w.txt", columns(&flange).as_bytes(), &said).is_ok());
 }
 
@@ -83,7 +83,7 @@ fn a_head_with_its_underside_is_a_rail_either_way_up() {
         )
     };
     let [up, down] = [-1.0, 1.0]
-        .map(|sign| read("r.prr", simpack(sign).as_bytes(), &Wanted::default()).unwrap());
+        .map(|sign| read("r.prr", simpack(sign).as_bytes(), &ReadOptions::default()).unwrap());
     assert!(apart(&up.profile, &down.profile, [-0.03, 0.03]) < 1e-12);
     let against = |reading: &Reading| {
         reading.actions.iter().any(|action| matches!(action, Action::AgainstFormat { what: "z" }))
@@ -101,7 +101,7 @@ fn a_wide_underside_shows_a_rail_by_itself() {
     let head = read("h.txt", columns(&head()).as_bytes(), &wanted(Role::Rail)).unwrap().profile;
     for sign in [-1.0, 1.0] {
         let turned: Vec<[f64; 2]> = points.iter().map(|[y, z]| [*y, sign * z]).collect();
-        let found = read("r.txt", columns(&turned).as_bytes(), &Wanted::default()).unwrap();
+        let found = read("r.txt", columns(&turned).as_bytes(), &ReadOptions::default()).unwrap();
         assert_eq!(found.profile.role(), Role::Rail);
         // Where no underside lies below.
         let off = apart(&found.profile, &head, [-7e-3, 7e-3]);

@@ -1,4 +1,4 @@
-//! How far each theory of rolling contact is from the full one.
+//! Accuracy of each theory of rolling contact against the full one.
 //!
 //! ```
 //! use creepage::TheorySpec;

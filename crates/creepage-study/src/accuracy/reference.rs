@@ -1,4 +1,4 @@
-//! Cases of the full theory of steady rolling to measure others by.
+//! Reference cases of the full theory of steady rolling, by which others are measured.
 
 use creepage::{Contact, Creepage, Ellipse, Force, InvalidValue};
 use serde::Deserialize;
@@ -16,7 +16,7 @@ pub struct ReferenceCase {
     pub uncertainty: Option<Force>,
 }
 
-/// The reference cases cannot be read: the file was changed by hand.
+/// Error of reading the reference cases: the file was changed by hand.
 #[derive(Debug, thiserror::Error)]
 pub enum ReferenceError {
     /// Not a table of numbers.

@@ -1,4 +1,4 @@
-//! The error of a theory over a set of cases.
+//! Distribution of a theory's error over a set of cases.
 
 use creepage::{Contact, Status, Theory};
 use serde::Serialize;

@@ -13,7 +13,7 @@ use crate::case::body::Body;
 use crate::case::schema::schema_of;
 use crate::case::{CaseError, keys};
 
-/// What can be wrong with a bearing's file, or keeps it from being solved.
+/// Error of a bearing's file or of its solution.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum BearingCaseError {

@@ -1,4 +1,4 @@
-//! A ball bearing: its case file, solved and reported.
+//! Ball bearings: case file, solution and report.
 
 mod file;
 mod report;

@@ -1,4 +1,4 @@
-//! What is reported of a solved bearing: text, JSON, files and the pictures of the hottest ball's contacts.
+//! Report of a solved bearing: text, JSON, files and the pictures of the hottest ball's contacts.
 
 use std::path::{Path, PathBuf};
 

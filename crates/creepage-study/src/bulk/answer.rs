@@ -1,4 +1,4 @@
-//! The force of a row in SI units.
+//! Answer of a bulk row: its force and other numbers in SI units.
 
 use creepage::SiForce;
 use rayon::prelude::*;
@@ -8,7 +8,7 @@ use super::solver::{Reply, RowError, Solver};
 use crate::damage::DamageInput;
 use crate::{Damage, DamageWanted};
 
-/// A row answered, in SI units.
+/// Answer of a row, in SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BulkAnswer {
     /// What was asked.
@@ -17,7 +17,7 @@ pub struct BulkAnswer {
     pub reply: Reply,
 }
 
-/// A number that a row has besides its dimensionless answer.
+/// Column of a row's answer besides the dimensionless force.
 #[derive(Debug, Clone, Copy)]
 pub struct BulkColumn {
     /// The name of its column.
@@ -120,7 +120,7 @@ impl BulkCase {
     /// [`RowError`] for values that are no case.
     pub fn solve_one(&self, solver: &Solver, values: &[f64]) -> Result<BulkAnswer, RowError> {
         let row = self.row(values)?;
-        let reply = solver.solve_one(&row.question())?;
+        let reply = solver.solve_one(&row.query())?;
         Ok(BulkAnswer::new(row, reply))
     }
 
@@ -129,10 +129,10 @@ impl BulkCase {
     pub fn solve(&self, solver: &Solver, rows: &[&[f64]]) -> Vec<Result<BulkAnswer, RowError>> {
         let row = |values: &&[f64]| self.row(values).map_err(RowError::from);
         let rows: Vec<_> = rows.par_iter().map(row).collect();
-        let question = |row: &Result<BulkRow, RowError>| {
-            row.as_ref().map(BulkRow::question).map_err(Clone::clone)
+        let query = |row: &Result<BulkRow, RowError>| {
+            row.as_ref().map(BulkRow::query).map_err(Clone::clone)
         };
-        let replies = solver.solve(rows.iter().map(question).collect());
+        let replies = solver.solve(rows.iter().map(query).collect());
         let together = |(row, reply): (_, _)| Ok(BulkAnswer::new(row?, reply?));
         rows.into_par_iter().zip(replies).map(together).collect()
     }

@@ -1,10 +1,10 @@
-//! A case some of whose quantities vary.
+//! Bulk case, some of whose quantities vary from row to row.
 
 use creepage::{Contact, Creepage, Hertz, TheorySpec};
 
-use super::solver::Question;
+use super::solver::BulkQuery;
 use super::varied::Varied;
-use crate::case::sections::{Sections, Touching};
+use crate::case::sections::{PressedBodies, Sections};
 use crate::{CaseError, CaseFile, Caution, DamageWanted};
 
 /// A case some of whose quantities have values of their own in every row.
@@ -39,7 +39,7 @@ pub struct BulkCase {
     damage: Option<DamageWanted>,
 }
 
-/// A row: a contact and how it creeps.
+/// Row of a bulk case: a contact and its creepage.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BulkRow {
     /// The contact ellipse and its pressure.
@@ -137,7 +137,7 @@ impl BulkCase {
             }
             None => sections.hertz()?,
         };
-        let Touching { hertz, contact, speed, .. } = sections.touching_by(hertz)?;
+        let PressedBodies { hertz, contact, speed, .. } = sections.touching_by(hertz)?;
         let creepage = sections.creepage.resolve(contact.scaling())?;
         let smallest_radius = sections.smallest_radius();
         Ok(BulkRow { hertz, contact, creepage, speed, smallest_radius, touches })
@@ -161,9 +161,9 @@ fn bodies(base: &Sections, varied: &[Varied]) -> Option<Hertz> {
 impl BulkRow {
     /// What it asks a theory.
     #[must_use]
-    pub fn question(&self) -> Question {
+    pub fn query(&self) -> BulkQuery {
         let (contact, creepage, touches) = (self.contact.clone(), self.creepage, self.touches);
-        Question { contact, creepage, touches }
+        BulkQuery { contact, creepage, touches }
     }
 
     /// What looks like a number in another unit.

@@ -1,4 +1,4 @@
-//! Many questions at once: grouped by what a theory is prepared for, on all cores.
+//! Bulk solver of many queries: grouped by what a theory is prepared for, on all cores.
 
 use std::ops::Deref;
 use std::sync::Arc;
@@ -11,9 +11,9 @@ use rayon::prelude::*;
 use crate::recent::Recent;
 use crate::{CaseError, Caution};
 
-/// What a row asks.
+/// Query of one row: a contact and a creepage.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Question {
+pub struct BulkQuery {
     /// The contact.
     pub contact: Contact,
     /// How it creeps.
@@ -33,7 +33,7 @@ pub struct Reply {
     pub cautions: Vec<Caution>,
 }
 
-/// Why a row has no answer.
+/// Error of a row without an answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RowError {
@@ -82,11 +82,11 @@ impl<'a> Deref for Ready<'a> {
     }
 }
 
-/// A question and its place among those asked together.
+/// A query and its place among those asked together.
 struct Placed {
     key: Key,
     place: usize,
-    question: Question,
+    query: BulkQuery,
 }
 
 impl Solver {
@@ -119,18 +119,18 @@ impl Solver {
         [table.a_over_b(), table.poisson()].map(|axis| (axis.nodes == 1).then_some(axis.low))
     }
 
-    /// The answers in the order of the questions, the same on any number of cores. A question that
-    /// is none is answered by its error.
+    /// The answers in the order of the queries, the same on any number of cores. `Err` items pass
+    /// through unchanged.
     pub fn solve<E: From<RowError> + Send>(
         &self,
-        questions: Vec<Result<Question, E>>,
+        queries: Vec<Result<BulkQuery, E>>,
     ) -> Vec<Result<Reply, E>> {
-        let mut answers = Vec::with_capacity(questions.len());
-        let mut asked = Vec::with_capacity(questions.len());
-        for (place, question) in questions.into_iter().enumerate() {
-            match question {
-                Ok(question) => {
-                    asked.push(Placed { key: self.key(&question.contact), place, question });
+        let mut answers = Vec::with_capacity(queries.len());
+        let mut asked = Vec::with_capacity(queries.len());
+        for (place, query) in queries.into_iter().enumerate() {
+            match query {
+                Ok(query) => {
+                    asked.push(Placed { key: self.key(&query.contact), place, query });
                 }
                 Err(error) => answers.push((place, Err(error))),
             }
@@ -138,8 +138,7 @@ impl Solver {
         asked.sort_unstable_by_key(|asked| (asked.key, asked.place));
         let together = |one: &Placed, two: &Placed| {
             one.key == two.key
-                && (self.is_shared(&one.question.contact)
-                    || one.question.contact == two.question.contact)
+                && (self.is_shared(&one.query.contact) || one.query.contact == two.query.contact)
         };
         let groups: Vec<_> = asked.chunk_by(together).collect();
         answers.par_extend(groups.into_par_iter().flat_map(|group| self.solve_group(group)));
@@ -147,38 +146,38 @@ impl Solver {
         answers.into_iter().map(|(_, answer)| answer).collect()
     }
 
-    /// The answer to one question.
+    /// The answer to one query.
     ///
     /// # Errors
     /// [`RowError`] for a contact out of the theory's range.
-    pub fn solve_one(&self, question: &Question) -> Result<Reply, RowError> {
-        let theory = self.ready(self.key(&question.contact), &question.contact)?;
-        Ok(self.reply(&*theory, question))
+    pub fn solve_one(&self, query: &BulkQuery) -> Result<Reply, RowError> {
+        let theory = self.ready(self.key(&query.contact), &query.contact)?;
+        Ok(self.reply(&*theory, query))
     }
 
-    /// Answers questions of one key, each with its place.
+    /// Answers queries of one key, each with its place.
     fn solve_group<E: From<RowError> + Send>(
         &self,
         group: &[Placed],
     ) -> Vec<(usize, Result<Reply, E>)> {
         let Some(first) = group.first() else { return Vec::new() };
-        let theory = self.ready(first.key, &first.question.contact);
+        let theory = self.ready(first.key, &first.query.contact);
         let answer = |asked: &Placed| {
-            let reply = |theory: &Ready<'_>| self.reply(&**theory, &asked.question);
+            let reply = |theory: &Ready<'_>| self.reply(&**theory, &asked.query);
             (asked.place, theory.as_ref().map(reply).map_err(|error| E::from(error.clone())))
         };
         group.par_iter().map(answer).collect()
     }
 
-    fn reply(&self, theory: &(dyn Theory + '_), question: &Question) -> Reply {
-        if !question.touches {
+    fn reply(&self, theory: &(dyn Theory + '_), query: &BulkQuery) -> Reply {
+        if !query.touches {
             let (mut solution, status) = (Solution::no_contact(), Status::NoContact);
             solution.error = self.error_bars().then(Force::default);
             return Reply { solution, power: 0.0, cautions: vec![Caution::Status(status)] };
         }
-        let solved = theory.solved(question.creepage);
+        let solved = theory.solved(query.creepage);
         let (solution, power) = (solved.solution(), solved.power());
-        let contact = &question.contact;
+        let contact = &query.contact;
         let cautions = match &self.0 {
             PreparedFor::Theory { spec, .. } => Caution::all(spec, contact, &solution),
             PreparedFor::Table(_) => Caution::all_of_table(contact),
@@ -235,44 +234,44 @@ mod tests {
     use super::*;
     use creepage::Ellipse;
 
-    fn question(a_over_b: f64, xi: f64) -> Question {
+    fn query(a_over_b: f64, xi: f64) -> BulkQuery {
         let contact = Contact::new(Ellipse::from_ratio(a_over_b).unwrap(), 0.28).unwrap();
         let creepage = Creepage::new(xi, 0.0, 0.5).unwrap();
-        Question { contact, creepage, touches: true }
+        BulkQuery { contact, creepage, touches: true }
     }
 
-    fn solve(solver: &Solver, questions: Vec<Question>) -> Vec<Result<Reply, RowError>> {
-        solver.solve(questions.into_iter().map(Ok).collect())
+    fn solve(solver: &Solver, queries: Vec<BulkQuery>) -> Vec<Result<Reply, RowError>> {
+        solver.solve(queries.into_iter().map(Ok).collect())
     }
 
     #[test]
     fn prepared_theories_do_not_pile_up() {
         let solver = Solver::new(TheorySpec::named("polach").unwrap());
-        let many = (0..3 * Solver::KEPT).map(|i| question(1.0 + i as f64, 1.0)).collect();
+        let many = (0..3 * Solver::KEPT).map(|i| query(1.0 + i as f64, 1.0)).collect();
         assert_eq!(solve(&solver, many).len(), 3 * Solver::KEPT);
         let PreparedFor::Theory { prepared, .. } = &solver.0 else { panic!("a theory") };
         assert_eq!(prepared.count(), Solver::KEPT);
     }
 
     #[test]
-    fn answers_come_in_the_order_of_the_questions() {
+    fn answers_come_in_the_order_of_the_queries() {
         let solver = Solver::new(TheorySpec::named("variational").unwrap());
-        let questions: Vec<_> =
-            (0..40).map(|i| question([2.0, 0.5, 1.0][i % 3], 0.5 + 0.1 * i as f64)).collect();
-        let together = solve(&solver, questions.clone());
-        for (question, answer) in questions.into_iter().zip(together) {
-            assert_eq!(solve(&solver, vec![question.clone()]), vec![answer.clone()]);
-            assert_eq!(solver.solve_one(&question), answer);
+        let queries: Vec<_> =
+            (0..40).map(|i| query([2.0, 0.5, 1.0][i % 3], 0.5 + 0.1 * i as f64)).collect();
+        let together = solve(&solver, queries.clone());
+        for (query, answer) in queries.into_iter().zip(together) {
+            assert_eq!(solve(&solver, vec![query.clone()]), vec![answer.clone()]);
+            assert_eq!(solver.solve_one(&query), answer);
         }
     }
 
     #[test]
     fn one_theory_serves_all_dissimilarities_that_it_neglects() {
-        let unlike = question(1.0, 0.5).contact.with_kappa_over_mu(0.3).unwrap();
-        let unlike = Question { contact: unlike, ..question(1.0, 0.5) };
+        let unlike = query(1.0, 0.5).contact.with_kappa_over_mu(0.3).unwrap();
+        let unlike = BulkQuery { contact: unlike, ..query(1.0, 0.5) };
         for (name, kinds) in [("polach", 1), ("exact", 2)] {
             let solver = Solver::new(TheorySpec::named(name).unwrap());
-            let replies = solve(&solver, vec![question(1.0, 0.5), unlike.clone()]);
+            let replies = solve(&solver, vec![query(1.0, 0.5), unlike.clone()]);
             let PreparedFor::Theory { prepared, .. } = &solver.0 else { panic!("a theory") };
             assert_eq!(prepared.count(), kinds, "{name}");
             let forces = replies.iter().map(|reply| reply.as_ref().unwrap().solution.force);

@@ -1,4 +1,4 @@
-//! What may differ from row to row.
+//! Quantities of a bulk case that may differ from row to row.
 
 use crate::case::friction::FrictionValue;
 use crate::case::radius::Radius;

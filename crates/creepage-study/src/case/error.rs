@@ -1,4 +1,4 @@
-//! What can be wrong with a case file.
+//! Errors of case files.
 
 use creepage::halfspace::PolynomialError;
 use creepage::variational::VariationalError;
@@ -6,7 +6,7 @@ use creepage::{HertzError, InvalidValue};
 
 use super::solve::SpecError;
 
-/// Why a case file is not a case; every message names the section and the key.
+/// Error of a case file; every message names the section and the key.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CaseError {
@@ -149,7 +149,7 @@ pub enum CaseError {
     /// A law of friction by the speed of slip, without the speed of rolling.
     #[error("[creepage] speed is missing: [contact] friction depends on the speed of slip")]
     SpeedOfLaw,
-    /// A constant that falls.
+    /// Falling terms given for a constant law.
     #[error("[contact] friction: law = \"constant\" has no terms")]
     TermsOfConstant,
     /// `[solve]` names no theory, or options that the theory does not have.
@@ -179,7 +179,7 @@ pub enum CaseError {
         /// The most.
         max: usize,
     },
-    /// A radius that is none.
+    /// Invalid radius.
     #[error("[{section}] {key} = {value} is not valid: it must be {valid}")]
     Radius {
         /// The section's name.

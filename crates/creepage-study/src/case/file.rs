@@ -1,4 +1,4 @@
-//! A whole case file, and the case that it describes.
+//! Case file of a contact with an ellipse, and the case that it describes.
 
 use creepage::coulomb::Constraints;
 use creepage::theory::UnknownTheory;
@@ -16,7 +16,7 @@ use super::keys;
 use super::layer::LayerSection;
 use super::motion::MotionSection;
 use super::schema::schema_of;
-use super::sections::{Sections, Touching};
+use super::sections::{PressedBodies, Sections};
 use super::solve;
 use super::wanted::WantedSection;
 use crate::damage::{DamageSection, DamageWanted};
@@ -100,7 +100,7 @@ pub struct Case {
     pub theory: TheorySpec,
 }
 
-/// What is given of creepage and force.
+/// Prescribed creepage, or prescribed forces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Given {
     /// The creepage; the force is to be found.
@@ -192,7 +192,7 @@ impl CaseFile {
     /// The theory of `[solve]`.
     ///
     /// # Errors
-    /// [`CaseError`] for a theory that is none, and for options that it does not have.
+    /// [`CaseError`] for an unknown theory, and for options that it does not have.
     pub fn theory(&self) -> Result<TheorySpec, CaseError> {
         Ok(solve::from_table(&self.solve)?)
     }
@@ -214,7 +214,7 @@ impl CaseFile {
     /// theory does not have.
     pub fn case(&self) -> Result<Case, CaseError> {
         let sections = self.sections();
-        let Touching { hertz, friction, contact, speed } = sections.touching()?;
+        let PressedBodies { hertz, friction, contact, speed } = sections.touching()?;
         let scaling = contact.scaling();
         let given = if self.wants() {
             Given::Constraints(self.wanted.constraints(&self.creepage, hertz.ellipse(), scaling)?)

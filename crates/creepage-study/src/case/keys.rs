@@ -1,10 +1,8 @@
-//! Sections and keys of a file against those of the format, which the schema knows.
-
-use serde_json::Value;
-use toml::Table;
+//! Keys of a case file: sections and keys against those of the format, which the schema knows; suggestions for misspelt ones, and the TOML reader's messages in plain words.
 
 use crate::case::error::CaseError;
-use crate::case::similar::similar;
+use serde_json::Value;
+use toml::Table;
 
 /// The sections of a text.
 pub(crate) fn parse(text: &str) -> Result<Table, CaseError> {
@@ -113,4 +111,51 @@ fn elsewhere<'a>(key: &str, schema: &'a Value) -> Option<(&'a str, &'a str)> {
         let known = names(&schema["properties"][section]);
         similar(key, &known).map(|name| (section, name))
     })
+}
+
+/// The name most like `key`, if any is like it at all.
+pub(crate) fn similar<'a>(key: &str, names: &[&'a str]) -> Option<&'a str> {
+    // Separates slips of the keys and plurals (above 0.85) from other words (below 0.75).
+    const ALIKE: f64 = 0.8;
+    names
+        .iter()
+        .map(|name| (strsim::jaro_winkler(key, name), *name))
+        .filter(|(likeness, _)| *likeness > ALIKE)
+        .max_by(|one, other| one.0.total_cmp(&other.0))
+        .map(|(_, name)| name)
+}
+
+/// Its types, the longer names first, and what they are.
+const TYPES: [(&str, &str); 9] = [
+    ("usize", "a whole number that is not negative"),
+    ("u64", "a whole number that is not negative"),
+    ("u32", "a whole number that is not negative"),
+    ("i64", "a whole number"),
+    ("i32", "a whole number"),
+    ("f64", "a number"),
+    ("f32", "a number"),
+    ("a boolean", "true or false"),
+    ("a string", "a word"),
+];
+
+/// A message of the reader of TOML in plain words.
+#[must_use]
+pub fn plain_words(message: &str) -> String {
+    let mut words = message.to_owned();
+    for (name, plain) in TYPES {
+        words = words.replace(&format!("expected {name}"), &format!("expected {plain}"));
+    }
+    words.replace("floating point `", "number `").replace("integer `", "number `")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn types_of_the_program_become_kinds_of_numbers() {
+        let message = "invalid type: floating point `7.5`, expected usize";
+        let plain = "invalid type: number `7.5`, expected a whole number that is not negative";
+        assert_eq!(plain_words(message), plain);
+    }
 }

@@ -14,7 +14,6 @@ pub(crate) mod motion;
 pub(crate) mod radius;
 pub(crate) mod schema;
 pub(crate) mod sections;
-pub(crate) mod similar;
 pub(crate) mod solve;
 mod statics;
 mod sweep;

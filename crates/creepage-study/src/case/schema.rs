@@ -1,4 +1,4 @@
-//! JSON schemas, made from the structs that read the files.
+//! JSON schemas, derived from the structs that read the files.
 
 use schemars::generate::SchemaSettings;
 use schemars::transform::RecursiveTransform;

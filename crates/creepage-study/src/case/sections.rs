@@ -1,4 +1,4 @@
-//! The sections of a case file that say what touches and how it creeps: numbers, cheap to clone.
+//! Sections of a case file that say what touches and how it creeps: numbers, cheap to clone.
 
 use creepage::{Contact, Hertz};
 
@@ -22,7 +22,7 @@ pub(crate) struct Sections {
 }
 
 /// Two bodies pressed together, with friction.
-pub(crate) struct Touching {
+pub(crate) struct PressedBodies {
     pub(crate) hertz: Hertz,
     pub(crate) friction: f64,
     pub(crate) contact: Contact,
@@ -37,12 +37,12 @@ impl Sections {
     }
 
     /// The contact as a theory of rolling needs it.
-    pub(crate) fn touching(&self) -> Result<Touching, CaseError> {
+    pub(crate) fn touching(&self) -> Result<PressedBodies, CaseError> {
         self.touching_by(self.hertz()?)
     }
 
     /// The same where the pressure is known beforehand.
-    pub(crate) fn touching_by(&self, hertz: Hertz) -> Result<Touching, CaseError> {
+    pub(crate) fn touching_by(&self, hertz: Hertz) -> Result<PressedBodies, CaseError> {
         check_aligned(self.contact.angle, &hertz)?;
         let friction = self.contact.friction.as_ref().ok_or_else(|| CaseError::Missing {
             section: "contact".into(),
@@ -55,7 +55,7 @@ impl Sections {
             Some(layer) => contact.with_layer(layer.layer()?),
             None => contact,
         };
-        Ok(Touching { hertz, friction: friction.at_rest()?, contact, speed })
+        Ok(PressedBodies { hertz, friction: friction.at_rest()?, contact, speed })
     }
 
     /// The smallest of the bodies' radii (m), its size, where one is given.

@@ -4,10 +4,9 @@ use creepage::TheorySpec;
 use creepage::theory::UnknownTheory;
 use toml::{Table, Value};
 
-use super::similar::similar;
-use crate::plain_words::plain_words;
+use super::keys::{plain_words, similar};
 
-/// Why `[solve]`, or options that stand outside a case file, name no theory.
+/// Error of `[solve]`, or of options outside a case file, that name no theory.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SpecError {

@@ -279,7 +279,7 @@ impl Caution {
     }
 
     /// With fewer points of a given gap across an area, that depends on how one interpolates.
-    const POINTS: usize = 10;
+    const MIN_GAP_POINTS: usize = 10;
 
     /// Warnings about areas of any shape and their pressure, whatever rolls on them.
     pub(crate) fn of_areas(areas: &NormalContact) -> impl Iterator<Item = Self> {
@@ -289,7 +289,7 @@ impl Caution {
             normal::Status::NotConverged { residual } => Some(Self::Pressure { residual }),
         };
         let coarse = ["x", "y"].into_iter().zip(areas.gap_points()).filter_map(|(along, n)| {
-            n.filter(|n| *n < Self::POINTS).map(|points| Self::CoarseGap { points, along })
+            n.filter(|n| *n < Self::MIN_GAP_POINTS).map(|points| Self::CoarseGap { points, along })
         });
         let high = Self::high_pressure(peak, areas.pair().shear_modulus());
         let error = areas.peak_pressure().error;

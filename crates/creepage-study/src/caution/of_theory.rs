@@ -1,4 +1,4 @@
-//! What a theory neglects in a contact, and where its solution is in doubt.
+//! Cautions about a theory: what it neglects in a contact, and where its solution is in doubt.
 
 use std::f64::consts::FRAC_PI_2;
 

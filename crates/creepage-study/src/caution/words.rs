@@ -227,7 +227,7 @@ impl Caution {
                 f,
                 "[gap] has only {points} points along {along} across a contact area: with fewer \
                  than {} the area depends on the interpolation",
-                Self::POINTS
+                Self::MIN_GAP_POINTS
             ),
             Self::Rough { body, length, swing, pressure } => write!(
                 f,

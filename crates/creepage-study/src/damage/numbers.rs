@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::section::DamageWanted;
 
-/// What the numbers are made of.
+/// Input of the wear and fatigue numbers.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct DamageInput<'a> {
     /// Force on the lower body.

@@ -128,7 +128,8 @@ impl Damage {
 
 /// Largest force over load, and peak pressure over yield stress, that the map always shows.
 const RANGE: [f64; 2] = [0.6, 6.0];
-const POINTS: u8 = 120;
+/// Points of the surface-flow limit in the shakedown map.
+const CURVE_POINTS: u8 = 120;
 const INK: &str = "#222";
 
 impl Damage {
@@ -140,8 +141,8 @@ impl Damage {
         let melan = self.shakedown_load_factor.map(|factor| [case[0], factor * case[1]]);
         let highest = melan.map_or(case[1], |[_, limit]| limit.max(case[1]));
         let [right, top] = [RANGE[0].max(1.2 * case[0]), RANGE[1].max(1.2 * highest)];
-        let share = |i: u8| f64::from(i + 1) / f64::from(POINTS);
-        let surface = (0..POINTS).map(|i| right * share(i)).map(|f| [f, 1.0 / f]);
+        let share = |i: u8| f64::from(i + 1) / f64::from(CURVE_POINTS);
+        let surface = (0..CURVE_POINTS).map(|i| right * share(i)).map(|f| [f, 1.0 / f]);
         let surface: Vec<_> = surface.filter(|[_, limit]| *limit <= top).collect();
         let x = Axis::new([0.0, right], Label::new("tangential force over load"));
         let y = Axis::new([0.0, top], Label::new("peak pressure over ").symbol("k"));

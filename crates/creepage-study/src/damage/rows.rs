@@ -1,4 +1,4 @@
-//! The elements through which the material runs, row by row across the contact.
+//! Rows of elements through which the material runs, across the contact.
 
 use creepage::coulomb::ElementField;
 use creepage::damage::{ElementState, Row};

@@ -52,7 +52,7 @@ impl Default for DamageSection {
     }
 }
 
-/// What is wanted of wear and fatigue.
+/// Options of wear and fatigue numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DamageWanted {
     /// The constants of the laws.

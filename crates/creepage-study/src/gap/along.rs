@@ -1,4 +1,4 @@
-//! Along a roller: pressure, load, friction and heat over its length.
+//! Distributions along a roller's length: pressure, load, friction and heat.
 
 use creepage::coulomb::ElementField;
 use creepage::normal::{Band, NormalContact, Patch};

@@ -1,4 +1,4 @@
-//! A case of two bodies of any shape, every number of it checked.
+//! Case of two bodies of any shape, every number of it checked.
 
 use creepage::curved::CurvedGap;
 use creepage::friction_law::RollingFriction;
@@ -13,9 +13,9 @@ use crate::damage::DamageWanted;
 use crate::heat::HeatWanted;
 use crate::{CaseError, Sources};
 
-/// What presses the bodies together.
+/// Normal constraint of a contact: its load or its approach.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Pressed {
+pub enum LoadOrApproach {
     /// A normal force (N).
     Load(f64),
     /// An approach (m).
@@ -38,7 +38,7 @@ pub struct GapCase {
     /// The equivalent solid of both bodies.
     pub pair: SolidPair,
     /// Load or approach.
-    pub pressed: Pressed,
+    pub pressed: LoadOrApproach,
     /// Coefficient of friction `mu`, at rest where it depends on the slip.
     pub friction: f64,
     /// How friction varies, where it is not constant.

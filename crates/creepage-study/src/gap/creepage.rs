@@ -37,7 +37,7 @@ pub(super) struct SiWantedSection {
     pub(super) moment: Option<f64>,
 }
 
-/// What is given of creepage and force, in SI units: three creepages, or three of six.
+/// Prescribed creepage and forces, in SI units: three creepages, or three of six.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SiGiven {
     /// Creepages; all of them where no force is wanted.

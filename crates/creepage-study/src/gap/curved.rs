@@ -7,9 +7,9 @@ use creepage::{SiCreepage, Theory, TheorySpec};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::case::{GapCase, Pressed};
+use super::case::{GapCase, LoadOrApproach};
 use super::error::GapCaseError;
-use super::solve;
+use super::solver::{fineness, not_pressed, pressed};
 use crate::solve::SolvedTheory;
 use crate::{CaseError, SolvedCase};
 
@@ -43,7 +43,7 @@ pub(super) enum Surface {
     Curved,
 }
 
-/// What a curved contact has besides its pressure over `x` and the arc length.
+/// Quantities of a curved contact besides its pressure over `x` and the arc length.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct CurvedJson {
     /// By how much the surface turns from one side of the areas to the other (rad).
@@ -71,7 +71,7 @@ impl GapCase {
         }
         let (resolutions, _) = options.resolutions().map_err(CaseError::invalid("solve"))?;
         let roll = *resolutions.first().unwrap_or(&creepage::coulomb::Resolution::STANDARD);
-        let press = super::solver::fineness(&self.theory);
+        let press = fineness(&self.theory);
         let [x, y, spin] = self.given.creepage;
         let [wanted, lateral, moment] = self.given.force;
         if lateral.is_some() || moment.is_some() {
@@ -84,10 +84,10 @@ impl GapCase {
         };
         let wrong = |error| self.not_curved(error);
         let (contact, rolling, creepage) = match self.pressed {
-            Pressed::Load(load) => curved
+            LoadOrApproach::Load(load) => curved
                 .rolled(self.pair, load, self.friction, creepage, wanted, (press, roll))
                 .map_err(wrong)?,
-            Pressed::Approach(approach) => {
+            LoadOrApproach::Approach(approach) => {
                 let contact = curved.pressed(self.pair, approach, press).map_err(wrong)?;
                 let rolling =
                     contact.rolling(self.friction, roll).map_err(CaseError::invalid("contact"))?;
@@ -117,7 +117,7 @@ impl GapCase {
     ) -> Result<CurvedJson, GapCaseError> {
         let solved = rolling.solve(creepage).map_err(CaseError::invalid("creepage"))?;
         let CurvedForce { lateral, vertical, .. } = rolling.force(&solved);
-        let plane = solve::pressed(self, normal::Resolution::STANDARD)?;
+        let plane = pressed(self, normal::Resolution::STANDARD)?;
         Ok(CurvedJson {
             turn_rad: contact.turn(),
             vertical_n: contact.vertical() + vertical,
@@ -135,15 +135,15 @@ impl GapCase {
         resolution: normal::Resolution,
     ) -> Result<NormalContact, GapCaseError> {
         let contact = match self.pressed {
-            Pressed::Load(load) => curved.under_load(self.pair, load, resolution),
-            Pressed::Approach(approach) => curved.pressed(self.pair, approach, resolution),
+            LoadOrApproach::Load(load) => curved.under_load(self.pair, load, resolution),
+            LoadOrApproach::Approach(approach) => curved.pressed(self.pair, approach, resolution),
         };
         contact.map(|contact| contact.normal().clone()).map_err(|error| self.not_curved(error))
     }
 
     fn not_curved(&self, error: CurvedError) -> GapCaseError {
         match error {
-            CurvedError::Normal(source) => solve::not_pressed(self, source),
+            CurvedError::Normal(source) => not_pressed(self, source),
             CurvedError::Value(invalid) => CaseError::invalid("contact")(invalid).into(),
             CurvedError::Inverse(source @ InverseError::NotReachable { .. }) => source.into(),
             other => GapCaseError::Curved { source: other },

@@ -1,4 +1,4 @@
-//! What can be wrong with a case of any shape.
+//! Errors of cases with `[gap]`.
 
 use std::io;
 
@@ -9,7 +9,7 @@ use creepage::theory::TheoryError;
 
 use crate::{CaseError, SolveError, UnattainableForce};
 
-/// Why a case with `[gap]` is not solved; every message names the section and the key.
+/// Error of a case with `[gap]`; every message names the section and the key.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum GapCaseError {
@@ -134,7 +134,7 @@ impl From<SolveError> for GapCaseError {
     }
 }
 
-/// Why points, of a file or of the case itself, cannot be read.
+/// Error of points, of a file or of the case itself, that cannot be read.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum GapFileError {

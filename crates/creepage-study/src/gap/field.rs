@@ -1,5 +1,4 @@
-//! What happens in each element of areas of any shape, in SI units: as CSV, and as VTK for `ParaView` and others that
-//! read its legacy format.
+//! Element field of areas of any shape, in SI units: as CSV, and as VTK for `ParaView` and others that read its legacy format.
 
 use creepage::coulomb::ElementField;
 use creepage::{Region, Scaling};

@@ -1,4 +1,4 @@
-//! A case file with `[gap]`: its sections, and the case that they describe.
+//! Case file with `[gap]`: its sections, and the case that they describe.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use serde::Deserialize;
 use serde_json::Value;
 use toml::Table;
 
-use super::case::{GapCase, Pressed};
+use super::case::{GapCase, LoadOrApproach};
 use super::creepage::{SiCreepageSection, SiGiven, SiWantedSection};
 use super::curved::Surface;
 use super::error::GapCaseError;
@@ -258,11 +258,11 @@ impl Material {
 }
 
 impl PressedSection {
-    fn pressed(&self) -> Result<Pressed, CaseError> {
+    fn pressed(&self) -> Result<LoadOrApproach, CaseError> {
         let section = "contact";
         match (self.normal_force, self.approach) {
-            (Some(load), None) => Ok(Pressed::Load(positive("normal_force", load)?)),
-            (None, Some(value)) if value.is_finite() => Ok(Pressed::Approach(value)),
+            (Some(load), None) => Ok(LoadOrApproach::Load(positive("normal_force", load)?)),
+            (None, Some(value)) if value.is_finite() => Ok(LoadOrApproach::Approach(value)),
             (None, Some(value)) => {
                 let valid = "a finite number";
                 Err(CaseError::invalid(section)(InvalidValue {

@@ -401,11 +401,12 @@ fn adhering(element: &ElementField, up: f64) -> Option<[f64; 2]> {
 
 /// The trailing and the leading side of a band (mm), from low to high y.
 fn sides(band: &Band) -> [Vec<Point>; 2] {
-    const POINTS: u32 = 120;
+    const SIDE_POINTS: u32 = 120;
     let [low, high] = band.y();
     // Closer together towards the ends, where the sides turn.
-    let places = (0..=POINTS).map(|k| {
-        let share = 0.5 - 0.5 * (std::f64::consts::PI * f64::from(k) / f64::from(POINTS)).cos();
+    let places = (0..=SIDE_POINTS).map(|k| {
+        let share =
+            0.5 - 0.5 * (std::f64::consts::PI * f64::from(k) / f64::from(SIDE_POINTS)).cos();
         (low + (high - low) * share).clamp(low, high)
     });
     let rows: Vec<_> = places.filter_map(|y| band.ends(y).map(|ends| (y, ends))).collect();

@@ -1,4 +1,4 @@
-//! Many contacts of any shape: each row of a table is a case by itself.
+//! Table of contacts of any shape: each row is a case by itself.
 
 use std::path::PathBuf;
 use std::sync::Arc;

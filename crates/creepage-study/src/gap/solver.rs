@@ -1,19 +1,16 @@
-//! Cases of any shape solved: what one presses together, the next ones only roll.
+//! Solver of cases of any shape, with a cache: what one case presses together, the next ones only roll.
 
-use std::sync::Arc;
-
+use super::case::{GapCase, LoadOrApproach};
+use super::error::GapCaseError;
+use crate::recent::Recent;
+use crate::solve::{SolvedTheory, in_si_units};
+use crate::{AnyCase, CaseError, Caution, SolveError, SolvedCase};
 use creepage::coulomb::{NonHertzian, Resolution};
 use creepage::gap::Gap;
 use creepage::normal::{self, NormalContact, NormalError};
 use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
 use creepage::{Contact, InvalidValue, SolidPair, Theory, TheorySpec};
-
-use super::case::{GapCase, Pressed};
-use super::error::GapCaseError;
-use super::solve;
-use crate::recent::Recent;
-use crate::solve::{SolvedTheory, in_si_units};
-use crate::{AnyCase, CaseError, Caution, SolveError, SolvedCase};
+use std::sync::Arc;
 
 /// Solves a case of any shape: the pressure, then rolling. For many cases use [`GapSolver`].
 ///
@@ -29,7 +26,7 @@ pub fn solve_gap(case: &GapCase) -> Result<SolvedCase, GapCaseError> {
 /// those of [`solve_gap`].
 #[derive(Debug)]
 pub struct GapSolver {
-    contacts: Recent<CacheKey, Known>,
+    contacts: Recent<CacheKey, PreparedAreas>,
 }
 
 /// What a contact follows from.
@@ -37,13 +34,13 @@ pub struct GapSolver {
 struct CacheKey {
     gap: Gap,
     pair: SolidPair,
-    pressed: Pressed,
+    pressed: LoadOrApproach,
     resolution: normal::Resolution,
 }
 
 /// Pressed areas, and the full theory on them.
 #[derive(Debug)]
-struct Known {
+struct PreparedAreas {
     areas: Result<Arc<NormalContact>, NormalError>,
     theories: Recent<Resolution, Result<NonHertzian, InvalidValue>>,
 }
@@ -104,12 +101,12 @@ impl GapSolver {
     }
 
     /// The bodies of a case pressed together.
-    fn pressed(&self, case: &GapCase, resolution: normal::Resolution) -> Arc<Known> {
+    fn pressed(&self, case: &GapCase, resolution: normal::Resolution) -> Arc<PreparedAreas> {
         let (gap, pressed) = (case.gap.clone(), case.pressed);
         let asked = CacheKey { gap, pair: case.pair, pressed, resolution };
         self.contacts.of(&asked, || {
-            let areas = solve::pressed_together(case, resolution).map(Arc::new);
-            Known { areas, theories: Recent::new(contacts_kept) }
+            let areas = pressed_together(case, resolution).map(Arc::new);
+            PreparedAreas { areas, theories: Recent::new(contacts_kept) }
         })
     }
 }
@@ -126,10 +123,10 @@ pub(super) fn fineness(theory: &TheorySpec) -> normal::Resolution {
     }
 }
 
-impl Known {
+impl PreparedAreas {
     /// The areas, if there are any.
     fn areas(&self, case: &GapCase) -> Result<&Arc<NormalContact>, GapCaseError> {
-        self.areas.as_ref().map_err(|error| solve::not_pressed(case, error.clone()))
+        self.areas.as_ref().map_err(|error| not_pressed(case, error.clone()))
     }
 
     /// The full theory for a contact on these areas.
@@ -173,7 +170,7 @@ impl GapCase {
             let creepage = self.given.creepage(scaling)?;
             SolvedTheory::new(theory, |theory| theory.solved(creepage))
         } else {
-            let reach = contact.areas().map_or(0.0, |areas| solve::reach(areas));
+            let reach = contact.areas().map_or(0.0, |areas| reach(areas));
             let constraints = self.given.constraints(scaling, reach)?;
             let prescribed = self.given.force.map(|force| force.is_some());
             SolvedTheory::try_new(theory, |theory| {
@@ -210,6 +207,49 @@ impl GapCase {
             },
         )
     }
+}
+
+/// As many rows along a roller, whose ends are short beside it, through every door.
+const ALONG_A_ROLLER: usize = 100;
+
+/// The bodies pressed together.
+pub(crate) fn pressed(
+    case: &GapCase,
+    resolution: normal::Resolution,
+) -> Result<NormalContact, GapCaseError> {
+    pressed_together(case, resolution).map_err(|source| not_pressed(case, source))
+}
+
+pub(super) fn pressed_together(
+    case: &GapCase,
+    resolution: normal::Resolution,
+) -> Result<NormalContact, NormalError> {
+    let fine = case.roller.and_then(|_| normal::Resolution::new(ALONG_A_ROLLER).ok());
+    let resolution = fine.unwrap_or(resolution);
+    match case.pressed {
+        LoadOrApproach::Load(load) => {
+            NormalContact::under_load(&case.gap, case.pair, load, resolution)
+        }
+        LoadOrApproach::Approach(approach) => {
+            NormalContact::at_approach(&case.gap, case.pair, approach, resolution)
+        }
+    }
+}
+
+/// The error of bodies that have no contact.
+pub(super) fn not_pressed(case: &GapCase, source: NormalError) -> GapCaseError {
+    let pressed = match case.pressed {
+        LoadOrApproach::Load(load) => format!("normal_force = {load}"),
+        LoadOrApproach::Approach(approach) => format!("approach = {approach}"),
+    };
+    GapCaseError::Normal { shape: case.shape.clone(), pressed, source }
+}
+
+/// The largest distance of the contact from the origin of coordinates (m), or a little more.
+pub(super) fn reach(contact: &NormalContact) -> f64 {
+    let largest = |[low, high]: [f64; 2]| low.abs().max(high.abs());
+    let extents = contact.patches().iter().map(normal::Patch::extent);
+    extents.map(|extent| largest(extent.x).hypot(largest(extent.y))).fold(0.0, f64::max)
 }
 
 #[cfg(test)]

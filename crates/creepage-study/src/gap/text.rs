@@ -1,4 +1,4 @@
-//! The report for a terminal.
+//! Text report of areas of any shape, for a terminal.
 
 use creepage::SiForce;
 use creepage::normal::NormalContact;

@@ -1,6 +1,6 @@
-//! What may differ from row to row of a table of contacts of any shape.
+//! Quantities of a contact of any shape that may differ from row to row of a table.
 
-/// A quantity that may have a value of its own in every row, in SI units.
+/// Quantity that may have a value of its own in every row, in SI units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GapVaried {
     /// File with the section of the gap.

@@ -10,7 +10,8 @@ pub(crate) const PLACE_HEADER: [&str; 5] =
     ["x", "y", "heat", "temperature_upper", "temperature_lower"];
 /// The picture reaches so many half-lengths behind the middle of the contact.
 const BEHIND: f64 = 5.0;
-const POINTS: u16 = 400;
+/// Points of a temperature curve.
+const PICTURE_POINTS: u16 = 400;
 
 impl Heat {
     /// `temperature.csv`, `temperature.svg` and `temperature.png`.
@@ -54,8 +55,8 @@ impl Heat {
         let k = self.hottest_row()?;
         let [from, to] = self.rows[k].heat.ends()?;
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let at = |i: u16| 1.3 - (1.3 + BEHIND) * f64::from(i) / f64::from(POINTS);
-        let along: Vec<f64> = (0..=POINTS).map(|i| middle + half * at(i)).collect();
+        let at = |i: u16| 1.3 - (1.3 + BEHIND) * f64::from(i) / f64::from(PICTURE_POINTS);
+        let along: Vec<f64> = (0..=PICTURE_POINTS).map(|i| middle + half * at(i)).collect();
         let temperatures: Vec<[f64; 2]> = along.iter().map(|x| self.temperatures(k, *x)).collect();
         let curve = |body: usize| -> Vec<[f64; 2]> {
             along.iter().zip(&temperatures).map(|(x, pair)| [1e3 * x, pair[body]]).collect()

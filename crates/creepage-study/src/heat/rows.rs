@@ -1,4 +1,4 @@
-//! Rows of a contact with the heat of friction in them.
+//! Heat of friction in the rows of a contact.
 
 use creepage::coulomb::ElementField;
 use creepage::damage::ElementState;

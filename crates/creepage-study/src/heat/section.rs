@@ -41,7 +41,7 @@ enum Material {
     Steel,
 }
 
-/// What is wanted of heat.
+/// Options of temperatures.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeatWanted {
     /// The upper and the lower body.

@@ -1,4 +1,4 @@
-//! Temperatures for a terminal.
+//! Text report of temperatures, for a terminal.
 
 use creepage_plot::format::{fixed, quantity, significant};
 

@@ -1,4 +1,4 @@
-//! The contact on its way: areas, tractions, and where on the curve of the forces it is.
+//! Animation of a rolling contact: areas, tractions, and where on the curve of the forces it is.
 
 use creepage_plot::theme::ARROW;
 use creepage_plot::{Axis, Fill, Frames, Label, Panel, Pen, Point, Sample, Sheet};

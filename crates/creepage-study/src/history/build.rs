@@ -1,4 +1,4 @@
-//! From a file to the contact that rolls: every number is checked.
+//! Construction of a rolling case from its file: every number is checked.
 
 use std::path::Path;
 use std::sync::Arc;

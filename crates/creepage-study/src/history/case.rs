@@ -1,4 +1,4 @@
-//! A contact that rolls by a history.
+//! Case of a contact that rolls by a history.
 
 use creepage::approximate::fastsim::Settings;
 use creepage::coulomb::Resolution;
@@ -50,7 +50,7 @@ pub(super) enum Kind {
     },
 }
 
-/// By which theory.
+/// Theory of transient rolling.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Method {
     Exact(Resolution),

@@ -1,4 +1,4 @@
-//! The table of how the bodies move.
+//! Table of a history: distances, loads and motions of the bodies, row by row.
 
 use std::io::Read;
 
@@ -8,9 +8,9 @@ use creepage::unsteady::{Motion, Prescribed};
 use super::case::{RollCase, over};
 use super::error::{HistoryError, MotionError};
 use super::roller::HistoryMotion;
-use crate::case::similar::similar;
+use crate::case::keys::similar;
 
-/// One row: a distance, and how the bodies move up to it from that of the row before.
+/// Row of a history: a distance, and the motion of the bodies up to it from that of the row before.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HistoryRow {
     /// Distance rolled at its end (m).
@@ -19,7 +19,7 @@ pub struct HistoryRow {
     pub motion: HistoryMotion,
 }
 
-/// All rows, every number of them checked.
+/// History of motions and loads, every number of it checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct History {
     /// In order of the distance.

@@ -1,11 +1,11 @@
-//! What can be wrong with a case that rolls, or with its history.
+//! Errors of a rolling case and of its history.
 
 use creepage::InvalidValue;
 
 use crate::CaseError;
 use crate::gap::GapCaseError;
 
-/// Why a case does not roll, or a table is no history.
+/// Error of a rolling case or of its table.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum HistoryError {
@@ -188,7 +188,7 @@ pub enum HistoryError {
     Busy,
 }
 
-/// Why numbers do not say how bodies move.
+/// Error of numbers that do not say how bodies move.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MotionError {

@@ -1,4 +1,4 @@
-//! What a history has come to so far: what its pictures need, and bytes of it to go on from.
+//! Progress of a history: what its pictures need, and bytes of it to go on from.
 
 use creepage::Region;
 use creepage::coulomb::ElementField;

@@ -1,4 +1,4 @@
-//! A contact on its way, by the full theory, FASTSIM or chapter 5.
+//! Transient solver of a history: the full theory, FASTSIM or chapter 5.
 
 use creepage::coulomb::ElementField;
 use creepage::unsteady::{
@@ -6,7 +6,7 @@ use creepage::unsteady::{
 };
 use creepage::{Force, InvalidValue};
 
-/// How the bodies move up to some distance.
+/// Motion of the bodies up to some distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HistoryMotion {
     /// Dimensionless in the units of the nominal load.
@@ -15,7 +15,7 @@ pub struct HistoryMotion {
     pub load: f64,
 }
 
-/// What rolls.
+/// Transient solver of one of the theories.
 #[allow(clippy::large_enum_variant)] // one a history
 #[derive(Debug, Clone)]
 pub(super) enum TransientSolver {

@@ -1,4 +1,4 @@
-//! A history on its way: a row of results for each of its rows.
+//! Run of a history: a row of results for each of its rows.
 
 use creepage::unsteady::Rolled;
 

@@ -1,4 +1,4 @@
-//! A contact that rolls step by step, as a larger program asks.
+//! Stepper of transient rolling, as a larger program asks for it.
 
 use creepage::unsteady::{Rolled, SavedError};
 

@@ -1,5 +1,5 @@
-//! Quantities over the distance rolled, as a history has them: what a row holds is constant over it,
-//! what follows from it is known at its end.
+//! Traces over the distance rolled, as a history has them: what a row holds is constant over it, what follows from it is
+//! known at its end.
 
 use creepage::unsteady::Prescribed;
 use creepage_plot::{Label, Mark, Panel, Pen, Point, Shape};

@@ -1,4 +1,4 @@
-//! The contact at some distance, seen from above, and the axes of curves.
+//! View of the contact from above at some distance, and the axes of curves.
 
 use creepage_plot::{Axis, Fill, Label, Panel, Point};
 
@@ -17,7 +17,7 @@ pub(super) fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     [low - air, high + air]
 }
 
-/// What is seen from above.
+/// View of the contact from above.
 pub(super) struct View<'a> {
     /// Corners of the elements under the nominal load.
     pub(super) corners: &'a [[Point; 4]],

@@ -1,4 +1,4 @@
-//! `history.csv` as it grows, and what it needs to go on after an interruption.
+//! Writer of `history.csv`, with what it needs to go on after an interruption.
 //!
 //! Rows go to `history.csv.partial`; beside it `history.state` has the state of the contact after some
 //! row and how long the table was then. A run with the same case and the same history goes on from

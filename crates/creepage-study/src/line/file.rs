@@ -122,7 +122,7 @@ impl LineTheory {
     }
 }
 
-/// What is given of the motion.
+/// Prescribed motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Given {
     /// The creepage `upsilon_x`.

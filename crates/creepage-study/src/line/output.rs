@@ -1,4 +1,4 @@
-//! A solved line contact as text, JSON and files.
+//! Report of a solved line contact: text, JSON and files.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! A line contact solved: edges, pressure, traction, force and creepage.
+//! Solved line contact: edges, pressure, traction, force and creepage.
 
 use creepage::approximate::carter::Carter;
 use creepage::coulomb::{Cylinders, CylindersSolved};
@@ -9,7 +9,7 @@ use super::file::{Given, LineCase, LineTheory};
 use crate::{CaseError, Caution};
 
 /// Points from edge to edge of closed forms, closer towards the edges.
-const POINTS: u16 = 201;
+const PROFILE_POINTS: u16 = 201;
 /// A force below this part of `mu N` is what the search for the creepage of free rolling leaves: zero.
 const ZERO: f64 = 2e-9;
 /// `kappa/mu` from which on leaving it out is worth a caution.
@@ -240,8 +240,8 @@ impl LineCase {
 /// Places from edge to edge at even angles.
 fn even([from, to]: [f64; 2]) -> Vec<f64> {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-    let angle = |k: u16| std::f64::consts::PI * f64::from(k) / f64::from(POINTS - 1);
-    (0..POINTS).map(|k| middle - half * angle(k).cos()).collect()
+    let angle = |k: u16| std::f64::consts::PI * f64::from(k) / f64::from(PROFILE_POINTS - 1);
+    (0..PROFILE_POINTS).map(|k| middle - half * angle(k).cos()).collect()
 }
 
 /// Pressure, traction, and whether surfaces adhere, at these places.

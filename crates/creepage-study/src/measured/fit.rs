@@ -1,4 +1,4 @@
-//! Friction, and the initial slope, fitted to measured forces.
+//! Fit of the coefficient of friction, and of the initial slope, to measured forces.
 
 use std::path::Path;
 
@@ -36,12 +36,12 @@ struct Problem<'a> {
     /// Measured forces (N) and the unit of their residuals (N).
     measured: Vec<([Option<f64>; 2], f64)>,
     used: Vec<bool>,
-    go_on: &'a mut dyn FnMut() -> bool,
+    proceeds: &'a mut dyn FnMut() -> bool,
 }
 
 impl Problem<'_> {
     fn predicted(&mut self, at: &[f64]) -> Result<Vec<Predicted>, FitError> {
-        if !(self.go_on)() {
+        if !(self.proceeds)() {
             return Err(FitError::Interrupted);
         }
         self.model.forces(at[0].exp(), at.get(1).map_or(1.0, |slope| slope.exp()))
@@ -69,7 +69,7 @@ fn residuals_of(
 
 impl Fit {
     /// Fits the case of a file to points, by a theory; what the table has is the table's, all else the
-    /// case's. `go_on` is asked before each evaluation of all points, and stops the work by `false`.
+    /// case's. `proceeds` is asked before each evaluation of all points, and stops the work by `false`.
     ///
     /// # Errors
     /// [`FitError`] for what is no case, too few points, and points that say nothing of what is wanted.
@@ -79,7 +79,7 @@ impl Fit {
         theory: &TheorySpec,
         measured: &MeasuredPoints,
         options: FitOptions,
-        go_on: &mut dyn FnMut() -> bool,
+        proceeds: &mut dyn FnMut() -> bool,
     ) -> Result<Self, FitError> {
         let model = Model::new(file, directory, theory, measured)?;
         let unit_of = |point: &super::MeasuredPoint, load: f64| {
@@ -106,7 +106,7 @@ impl Fit {
         }
         let least = if has_uncertainty { 1.0 } else { LEAST_DEVIATION * top };
         let used = vec![true; forces.len()];
-        let mut problem = Problem { model: &model, measured: forces, used, go_on };
+        let mut problem = Problem { model: &model, measured: forces, used, proceeds };
         let start = start(&mut problem, top, options.slope)?;
         let found = settle(&mut problem, start, least, top)?;
         Self::of(theory.facts().name, &mut problem, &found, (least, has_uncertainty), measured)
@@ -226,7 +226,7 @@ impl Fit {
 
     /// The theory between the points, where they lie on one curve.
     fn along(&self, model: &Model) -> Result<Option<FittedCurve>, FitError> {
-        const POINTS: u32 = 120;
+        const CURVE_POINTS: u32 = 120;
         let component = |si: SiCreepage, k: usize| [si.longitudinal, si.lateral, si.spin][k];
         let Some(first) = self.points.first() else { return Ok(None) };
         let differs = |k: &usize| {
@@ -247,8 +247,9 @@ impl Fit {
             *[&mut si.longitudinal, &mut si.lateral, &mut si.spin][*k] = value;
             (si, first.normal_force)
         };
-        let xs: Vec<_> =
-            (0..=POINTS).map(|i| low + (high - low) * f64::from(i) / f64::from(POINTS)).collect();
+        let xs: Vec<_> = (0..=CURVE_POINTS)
+            .map(|i| low + (high - low) * f64::from(i) / f64::from(CURVE_POINTS))
+            .collect();
         let asked: Vec<_> = xs.iter().map(|x| at(*x)).collect();
         let slope = self.slope.map_or(1.0, |slope| slope.value);
         let found = model.at(self.friction.value, slope, &asked)?;

@@ -1,4 +1,4 @@
-//! What a fit of friction to measured forces gives, what is to be said against it, and why there may be none.
+//! Result of a fit of friction to measured forces: estimates, cautions, and errors where there is none.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use creepage::{InvalidValue, SiCreepage, Status};
 
 use crate::{GapCaseError, RowError};
 
-/// Why nothing was fitted.
+/// Error of a fit.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FitError {
@@ -62,7 +62,7 @@ pub enum FitError {
     Interrupted,
 }
 
-/// What is fitted.
+/// Options of a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct FitOptions {
     /// A factor of the initial slope too: the creepages count that many times, as where a layer or
@@ -70,7 +70,7 @@ pub struct FitOptions {
     pub slope: bool,
 }
 
-/// A number found, and how uncertain it is.
+/// Estimate of a parameter, and its uncertainty.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fitted {
     /// The number.
@@ -102,7 +102,7 @@ pub struct FittedPoint {
     pub status: Status,
 }
 
-/// Cautions about a fit.
+/// Caution about a fit.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum FitCaution {

@@ -1,4 +1,4 @@
-//! Least squares in one or two parameters, with weights against points that do not belong.
+//! Robust least squares in one or two parameters: Levenberg and Marquardt's method with Huber's weights.
 
 /// Levenberg and Marquardt's damping: first value, and its changes.
 const FIRST_DAMPING: f64 = 1e-3;
@@ -22,7 +22,7 @@ const FROM_MEDIAN: f64 = 1.4826;
 /// Residuals at the logarithms of the parameters, of which there are one or two.
 pub(super) type Residuals<'a, E> = dyn FnMut(&[f64]) -> Result<Vec<f64>, E> + 'a;
 
-/// Where the sum of squares is least.
+/// Minimum of the sum of squares.
 pub(super) struct Minimum {
     /// Logarithms of the parameters.
     pub(super) at: Vec<f64>,

@@ -1,5 +1,5 @@
-//! Forces that were measured: read from a table, laid over creep-force curves, and friction fitted to
-//! them (Figs 14 and 15, (5.31): the experiments of Johnson and of Haines and Ollerton).
+//! Measured forces: read from a table, laid over creep-force curves, and friction fitted to them (Figs 14 and 15,
+//! (5.31): the experiments of Johnson and of Haines and Ollerton).
 //!
 //! [`MeasuredPoints`] are the table; [`Fit`] is what they say of friction by a theory, with its
 //! uncertainty and the points that do not belong to the others.

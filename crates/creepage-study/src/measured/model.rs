@@ -1,4 +1,4 @@
-//! What a theory says at the measured points for any coefficient of friction.
+//! Model of a fit: forces of a theory at the measured points, for any coefficient of friction.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::fitted::FitError;
 use super::points::MeasuredPoints;
-use crate::{AnyCase, AnyCaseFile, BulkCase, CaseError, Question, Solver, Varied};
+use crate::{AnyCase, AnyCaseFile, BulkCase, BulkQuery, CaseError, Solver, Varied};
 
 /// A force by the theory.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -110,18 +110,18 @@ impl Model {
         };
         match &self.contacts {
             Contacts::Ellipses { bulk, solver } => {
-                let question = |(si, load): &(SiCreepage, f64)| {
+                let query = |(si, load): &(SiCreepage, f64)| {
                     let row = bulk.row(&[si.longitudinal, si.lateral, si.spin, *load, mu])?;
-                    let question = row.question();
-                    let creepage = scaled(question.creepage, slope)?;
-                    Ok(Question { creepage, ..question })
+                    let query = row.query();
+                    let creepage = scaled(query.creepage, slope)?;
+                    Ok(BulkQuery { creepage, ..query })
                 };
-                let questions: Vec<_> = asked.iter().map(question).collect();
-                let contacts: Vec<_> = questions
+                let queries: Vec<_> = asked.iter().map(query).collect();
+                let contacts: Vec<_> = queries
                     .iter()
                     .map(|one| one.as_ref().ok().map(|q| q.contact.clone()))
                     .collect();
-                let replies = solver.solve::<crate::RowError>(questions);
+                let replies = solver.solve::<crate::RowError>(queries);
                 replies
                     .into_iter()
                     .zip(contacts)

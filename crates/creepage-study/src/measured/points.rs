@@ -5,7 +5,7 @@ use std::fmt;
 use csv::{ReaderBuilder, StringRecord, Trim};
 
 use crate::Component;
-use crate::case::similar::similar;
+use crate::case::keys::similar;
 
 /// Columns of the table.
 pub(crate) const CREEPAGE: [&str; 3] = ["longitudinal", "lateral", "spin"];
@@ -25,7 +25,7 @@ const KNOWN: [&str; 9] = [
     UNCERTAINTY,
 ];
 
-/// Why a table has no measured points.
+/// Error of a table without measured points.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeasuredError {
@@ -93,7 +93,7 @@ fn suggestion(found: Option<&(String, &'static str)>) -> String {
     })
 }
 
-/// One point.
+/// Measured point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeasuredPoint {
     /// Its row, from one, without the header.
@@ -109,7 +109,7 @@ pub struct MeasuredPoint {
     pub uncertainty: Option<f64>,
 }
 
-/// A row that is no point, and why.
+/// Unread row, with the reason.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnreadRow {
     /// From one, without the header.
@@ -129,7 +129,7 @@ impl fmt::Display for UnreadRow {
     }
 }
 
-/// Forces that were measured.
+/// Table of measured forces.
 ///
 /// Columns, in any order: `longitudinal`, `lateral` (creepages), `spin` (rad/m), of which one at least;
 /// `longitudinal_force`, `lateral_force` (N, of the upper body on the lower), of which one at least, or

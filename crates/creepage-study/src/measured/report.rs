@@ -1,4 +1,4 @@
-//! What was fitted, in words, JSON, CSV and files.
+//! Report of a fit: text, JSON, CSV and files.
 
 use std::path::{Path, PathBuf};
 

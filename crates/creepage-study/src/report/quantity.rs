@@ -62,7 +62,7 @@ pub enum Unit {
     Watt,
 }
 
-/// The unit of what a force is derived by.
+/// Unit of the variable by which a force is derived.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PerUnit {
     /// m.
@@ -148,7 +148,7 @@ impl Unit {
     }
 }
 
-/// How a text writes a number.
+/// Number format of a text.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Written {
     /// In the unit that people use for it, with a prefix where it takes one, to so many significant digits.
@@ -200,7 +200,7 @@ impl Written {
     }
 }
 
-/// Where a text has a quantity as a row of its own.
+/// Row of a text that shows a quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Shown {
     /// Under the contact, or what is reported first.
@@ -292,7 +292,7 @@ impl Entry {
     }
 }
 
-/// What is known of a contact: quantities and words, in their order.
+/// Quantities and words of a contact, in their order.
 ///
 /// As `serde` sees it, `report.json`: keys carry their units, a number that does not exist or is not finite is `null`.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -300,7 +300,7 @@ pub struct Report {
     entries: Vec<Entry>,
 }
 
-/// Where the next quantities go.
+/// Section of the next quantities.
 pub(crate) struct Section<'r> {
     report: &'r mut Report,
     name: &'static str,

@@ -1,4 +1,4 @@
-//! What of a sweep is solved already: a file with a place for every case.
+//! Journal of a sweep: a file with a place for every case, from which an interrupted run goes on.
 //!
 //! A case is given to the system when it is solved: whatever ends the process, only the cases in
 //! hand are lost, one a thread. While cases are solved a thread of its own puts what is new on the

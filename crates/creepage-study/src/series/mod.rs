@@ -1,21 +1,18 @@
-//! A series of cases on its way, and its results as a table: CSV, JSON, and NetCDF for pandas,
-//! xarray and others.
+//! Series of cases and its results as a table: CSV, JSON, and NetCDF for pandas, xarray and others.
 
 mod journal;
 mod netcdf;
 mod record;
 mod run;
 mod table;
-mod tally;
 
 use crate::{Sweep, SweepCase};
 use creepage::variational::ChainCase;
 use creepage::{Creepage, Force, Region, Status};
 
 pub use netcdf::series_netcdf;
-pub use run::SweepRun;
+pub use run::{SweepRun, Tally};
 pub use table::{series_csv, series_json};
-pub use tally::Tally;
 
 /// One case of a series.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,7 +44,7 @@ pub struct SeriesRow {
     pub second_start_difference: f64,
 }
 
-/// What all cases of a series share.
+/// Quantities that all cases of a series share.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SeriesHead {
     /// Ratio `a/b` of the contact's semi-axes.

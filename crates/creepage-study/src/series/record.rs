@@ -1,4 +1,4 @@
-//! One solved case as bytes of a fixed length.
+//! Record of one solved case, as bytes of a fixed length.
 
 use creepage::{Force, Status};
 
@@ -9,7 +9,7 @@ use crate::SweepCase;
 const STATUSES: [Status; 4] =
     [Status::Solved, Status::NotConverged, Status::CreepageTooSmall, Status::SpinTooLarge];
 
-/// What is kept of a solved case: its results, and the unknowns from which the next one starts.
+/// Record of a solved case: its results, and the unknowns from which the next one starts.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Record {
     results: [f64; Record::RESULTS],

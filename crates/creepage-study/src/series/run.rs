@@ -1,16 +1,15 @@
-//! A sweep on its way: its chains side by side, every solved case in a journal.
+//! Run of a sweep: its chains side by side, every solved case in a journal; and the tally of what was solved.
 
-use std::io;
-use std::path::Path;
-
+use super::SeriesRow;
+use super::journal::Journal;
+use super::record::Record;
+use crate::{Sweep, SweepCase};
 use creepage::Status;
 use creepage::variational::{Chain, NewtonStep, Variational, VariationalSolution};
 use rayon::prelude::*;
-
-use super::journal::Journal;
-use super::record::Record;
-use super::{SeriesRow, Tally};
-use crate::{Sweep, SweepCase};
+use std::fmt;
+use std::io;
+use std::path::Path;
 
 /// A sweep that is being solved, and what of it is solved.
 #[derive(Debug)]
@@ -63,7 +62,7 @@ impl<'a> SweepRun<'a> {
         for index in first..first + self.sweep.chain_length() {
             let known = if self.resumed() { self.journal.read(index)? } else { None };
             match known {
-                Some(record) => self.go_on(&mut chain, index, &record),
+                Some(record) => self.skip_solved(&mut chain, index, &record),
                 None => self.journal.write(index, &self.next(&mut chain, index))?,
             }
             progress();
@@ -72,7 +71,7 @@ impl<'a> SweepRun<'a> {
     }
 
     /// Takes the chain past a case that was solved before.
-    fn go_on(&self, chain: &mut Chain<'a>, index: usize, record: &Record) {
+    fn skip_solved(&self, chain: &mut Chain<'a>, index: usize, record: &Record) {
         if record.status() != Status::NotConverged {
             let creepage = self.sweep.case(index).creepage;
             *chain = Chain::from(self.theory, self.sweep.procedure, creepage, record.tau.clone());
@@ -100,7 +99,7 @@ impl<'a> SweepRun<'a> {
     ///
     /// # Errors
     /// Those of `show`, and of the system.
-    pub fn again<E: From<io::Error>>(
+    pub fn replay<E: From<io::Error>>(
         &self,
         mut show: impl FnMut(SweepCase, &[NewtonStep], &VariationalSolution) -> Result<(), E>,
     ) -> Result<(), E> {
@@ -114,7 +113,7 @@ impl<'a> SweepRun<'a> {
             steps.clear();
             let found = chain.clone().solve(case.creepage, Some(&mut steps)).found;
             show(case, &steps, &found)?;
-            self.go_on(&mut chain, index, &record?);
+            self.skip_solved(&mut chain, index, &record?);
         }
         Ok(())
     }
@@ -127,5 +126,56 @@ impl<'a> SweepRun<'a> {
         let tally = Tally::count(self.rows()?)?;
         self.journal.remove()?;
         Ok(tally)
+    }
+}
+
+/// How many cases were solved, and how; in words by [`Display`](fmt::Display).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Tally {
+    /// All cases.
+    pub cases: usize,
+    /// Those that did not converge.
+    pub not_converged: usize,
+    too_small: usize,
+    by_smaller_steps: usize,
+    aberrant: usize,
+    doubted: usize,
+}
+
+/// A second start that changes a force by more than this found another minimum: the same one is
+/// found to 1e-9.
+const SAME_MINIMUM: f64 = 1e-6;
+
+impl Tally {
+    pub(super) fn count(rows: impl Iterator<Item = io::Result<SeriesRow>>) -> io::Result<Self> {
+        let mut tally = Self::default();
+        for row in rows {
+            let row = row?;
+            tally.cases += 1;
+            tally.not_converged += usize::from(row.status == Status::NotConverged);
+            tally.too_small += usize::from(row.status == Status::CreepageTooSmall);
+            tally.by_smaller_steps += usize::from(row.steps_from_previous > 1);
+            tally.aberrant += usize::from(row.aberrations > 0);
+            tally.doubted += usize::from(row.second_start_difference > SAME_MINIMUM);
+        }
+        Ok(tally)
+    }
+}
+
+impl fmt::Display for Tally {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} cases: {} converged", self.cases, self.cases - self.not_converged)?;
+        for (count, words) in [
+            (self.not_converged, "not converged"),
+            (self.too_small, "with creepage too small for the degree"),
+            (self.by_smaller_steps, "tried again by smaller steps"),
+            (self.aberrant, "with aberrations"),
+            (self.doubted, "with another result from the second start"),
+        ] {
+            if count > 0 {
+                write!(f, ", {count} {words}")?;
+            }
+        }
+        Ok(())
     }
 }

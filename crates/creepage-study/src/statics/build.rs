@@ -1,4 +1,4 @@
-//! What each problem is given, and what an engineer wants to know of it.
+//! Statics problems: what each is given, and the quantities of its report.
 
 use creepage::SiForce;
 use creepage::halfspace::ResponseError;

@@ -1,4 +1,4 @@
-//! Unlike balls pressed together with friction: their numbers.
+//! Quantities of unlike balls pressed together with friction.
 
 use creepage::statics::Compression;
 use creepage::{Ellipse, Hertz};

@@ -1,4 +1,4 @@
-//! What the problems have in common for points and pictures: a field over the contact.
+//! Field of a statics problem over the contact, for points and pictures.
 
 use creepage::statics::{
     Bonded, Compression, Die, PartialSlip, ShearedRectangle, ShiftAxis, ShiftPath,

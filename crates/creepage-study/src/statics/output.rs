@@ -1,4 +1,4 @@
-//! Text, JSON, points and files.
+//! Output of statics problems: text, JSON, points and files.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

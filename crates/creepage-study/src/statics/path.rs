@@ -1,4 +1,4 @@
-//! A shift to and fro: its numbers, its steps as text, JSON and CSV, and force over shift as a picture.
+//! Path of a shift to and fro: its numbers, its steps as text, JSON and CSV, and force over shift as a picture.
 
 use std::fmt::Write as _;
 
@@ -18,7 +18,7 @@ use crate::report::{
 };
 
 /// Points of the picture from step to step.
-const POINTS: u32 = 48;
+const POINTS_PER_STEP: u32 = 48;
 /// Micrometres and kilonewtons: the picture's units.
 const MICRO: f64 = 1e6;
 const KILO: f64 = 1e-3;
@@ -44,7 +44,7 @@ trait Step: Clone {
     fn begin(&self) -> Self;
 
     /// Goes on a part, from 0 to 1, of the way to another state; false where it cannot.
-    fn go(&mut self, from: &Self, to: &Self, part: f64) -> bool;
+    fn apply_part(&mut self, from: &Self, to: &Self, part: f64) -> bool;
 }
 
 impl Step for ShiftPath {
@@ -69,7 +69,7 @@ impl Step for ShiftPath {
     }
 
     #[allow(clippy::float_cmp)] // a load that was not changed has the same bits
-    fn go(&mut self, from: &Self, to: &Self, part: f64) -> bool {
+    fn apply_part(&mut self, from: &Self, to: &Self, part: f64) -> bool {
         let between = |from: f64, to: f64| from + part * (to - from);
         let [one, other] = [from.normal_force(), to.normal_force()];
         if one == other {
@@ -108,7 +108,7 @@ impl Step for ShearedRectangle {
         self.fresh()
     }
 
-    fn go(&mut self, from: &Self, to: &Self, part: f64) -> bool {
+    fn apply_part(&mut self, from: &Self, to: &Self, part: f64) -> bool {
         self.to_shift(from.shift() + part * (to.shift() - from.shift())).is_ok()
     }
 }
@@ -165,8 +165,8 @@ fn line<S: Step>(steps: &[S]) -> [Vec<Point>; 2] {
     for step in steps {
         let from = before.cloned().unwrap_or_else(|| step.begin());
         let mut part = from.clone();
-        for k in 1..=POINTS {
-            if part.go(&from, step, f64::from(k) / f64::from(POINTS)) {
+        for k in 1..=POINTS_PER_STEP {
+            if part.apply_part(&from, step, f64::from(k) / f64::from(POINTS_PER_STEP)) {
                 line.push(place(&part));
             }
         }

@@ -1,4 +1,4 @@
-//! A rectangle sheared to and fro: its numbers.
+//! Quantities of a rectangle sheared to and fro.
 
 use creepage::statics::ShearedRectangle;
 use creepage::{Ellipse, Layer, SolidPair};

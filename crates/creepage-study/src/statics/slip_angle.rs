@@ -1,4 +1,4 @@
-//! How far a solution with partial slip is from the law of friction.
+//! Angle between slip and traction: how far a solution with partial slip is from the law of friction.
 
 use std::f64::consts::TAU;
 
@@ -9,12 +9,11 @@ use super::field::magnitude;
 
 /// Rings in the area of slip, and points on each.
 const RINGS: u32 = 24;
-const POINTS: u32 = 120;
+const POINTS_PER_RING: u32 = 120;
 /// Slip below this share of the shift is lost in rounding, and has no direction.
 const NOISE: f64 = 1e-8;
 
-/// Slip where there is any, and its angle to the traction, by which the solution fails the law of
-/// friction.
+/// Slip and its angle to the traction, by which the solution fails the law of friction.
 pub(super) struct Slip {
     /// The largest slip (m).
     pub(super) largest: f64,
@@ -57,8 +56,8 @@ fn on_ring(contact: Ellipse, partial: &PartialSlip, radius: f64) -> (f64, f64) {
 /// `(x/a, y/b)` on the unit circle: evenly, and again so that the normals to the ellipse turn
 /// evenly, of which a slender one has most at its ends.
 fn directions(contact: Ellipse) -> impl Iterator<Item = [f64; 2]> {
-    (0..POINTS).flat_map(move |k| {
-        let (sin, cos) = (TAU * f64::from(k) / f64::from(POINTS)).sin_cos();
+    (0..POINTS_PER_RING).flat_map(move |k| {
+        let (sin, cos) = (TAU * f64::from(k) / f64::from(POINTS_PER_RING)).sin_cos();
         let (x, y) = (contact.a() * cos, contact.b() * sin);
         let length = x.hypot(y);
         [[cos, sin], [x / length, y / length]]

@@ -1,4 +1,4 @@
-//! What the file of a wheelset describes, every number of it checked.
+//! Case of a wheelset, every number of it checked.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! What can be wrong with the file of a wheelset.
+//! Errors of wheelset files.
 
 use std::io;
 use std::path::PathBuf;
@@ -11,7 +11,7 @@ use creepage_wheelset::WheelsetError;
 use crate::case::CaseError;
 use crate::gap::GapCaseError;
 
-/// Why a file is not that of a wheelset in its track.
+/// Error of a wheelset file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum WheelsetFileError {
@@ -68,7 +68,7 @@ pub enum WheelsetFileError {
         /// What the system said.
         source: io::Error,
     },
-    /// A file of slices that is none.
+    /// Invalid file of slices.
     #[error("[{section}] slices: {}: {source}", path.display())]
     SlicesToml {
         /// The section's name.

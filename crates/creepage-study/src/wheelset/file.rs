@@ -1,4 +1,4 @@
-//! The whole file of a wheelset, and the case that it describes.
+//! File of a wheelset, and the case that it describes.
 
 use creepage_wheelset::{RailFriction, RailSprings};
 use std::path::Path;

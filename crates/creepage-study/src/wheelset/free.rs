@@ -1,4 +1,4 @@
-//! A quantity that is given, or found from equilibrium: a number, or the word "free".
+//! Quantity that is given, or found from equilibrium: a number, or the word "free".
 
 use std::borrow::Cow;
 use std::fmt;

@@ -1,4 +1,4 @@
-//! A wheelset in its track: the case file, its conicity; profiles and what was done to them.
+//! Wheelsets in their track: case file, conicity, profiles, solution and reports.
 //!
 //! Lengths in metres, angles in radians, forces in newtons; `x` forward, `y` to the right, `z`
 //! down.
@@ -14,10 +14,8 @@ mod guard;
 mod map;
 mod position;
 mod profile;
-mod profile_picture;
 mod quantities;
 mod report;
-mod rough;
 mod sections;
 mod solved_picture;
 mod solved_text;
@@ -34,8 +32,8 @@ pub use case::{ProfileNote, WheelsetCase};
 pub use conicity::{ConicityTable, conicity, radius_difference_csv};
 pub use error::WheelsetFileError;
 pub use file::{WheelsetFile, wheelset_json_schema};
+pub use geometry_picture::profile_pictures;
 pub use map::{MapBuildError, MapPlan, MapProgress, MapResolution, MapStage, build_map};
-pub use profile_picture::profile_pictures;
 pub use report::{WheelsetReport, wheelset_caution_words, wheelset_cautions};
 pub use steps::{WHEEL_STEP_COLUMNS, WheelStepsRun, WheelTable, WheelTableError};
 pub use table::{TableAxis, WheelsetTable};

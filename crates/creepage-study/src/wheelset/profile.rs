@@ -1,10 +1,10 @@
-//! A profile that a case names: a standard one, or a file beside the case.
+//! Profile that a case names: a standard one, or a file beside the case.
 
 use std::fs;
 use std::path::Path;
 
 use creepage::InvalidValue;
-use creepage_rail::file::{FileError, Reading, SaidBy, Wanted, read};
+use creepage_rail::file::{FileError, ReadOptions, Reading, SaidBy, read};
 use creepage_rail::{Profile, ProfileError, Role, Side, Smoothing, Standard};
 
 use super::case::ProfileNote;
@@ -74,10 +74,10 @@ impl RequestedProfile<'_> {
     /// together go before the ending of its name.
     fn reading(&self, content: &[u8]) -> Result<Reading, FileError> {
         let wanted = self.reading.unwrap_or_default().wanted();
-        let wanted = Wanted { side: Some(self.side), ..wanted };
+        let wanted = ReadOptions { side: Some(self.side), ..wanted };
         match read(self.name, content, &wanted) {
             Err(FileError::Ask { .. } | FileError::Role { by: SaidBy::Ending, .. }) => {
-                read(self.name, content, &Wanted { role: Some(self.role), ..wanted })
+                read(self.name, content, &ReadOptions { role: Some(self.role), ..wanted })
             }
             known => known,
         }

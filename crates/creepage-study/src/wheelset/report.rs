@@ -1,12 +1,11 @@
-//! A solved wheelset with what is said of it: cautions, wear and fatigue numbers.
+//! Report of a solved wheelset: with cautions, wear and fatigue numbers; and the caution for profiles that are rough where they touch.
 
-use std::ops::Deref;
-
-use creepage::{SiCreepage, Status};
-use creepage_rail::{RollingCreepage, Side};
-use creepage_wheelset::{SolvedContact, SolvedWheel, SolvedWheelset};
-
+use super::case::WheelsetCase;
 use crate::{Caution, Damage, Heat};
+use creepage::{SiCreepage, Solid, SolidPair, Status};
+use creepage_rail::{RadiusDifference, RollingCreepage, Side};
+use creepage_wheelset::{Roughness, SolvedContact, SolvedWheel, SolvedWheelset, rough_profiles};
+use std::ops::Deref;
 
 /// A solved wheelset and what is reported of it: as text, JSON, files and pictures.
 #[derive(Debug, Clone)]
@@ -131,4 +130,26 @@ fn of_contact(contact: &SolvedContact, damage: Option<&Damage>) -> Vec<Caution> 
     // Its points across are as many as are looked up.
     let all = all.filter(|caution| !matches!(caution, Caution::CoarseGap { .. }));
     all.chain(contact.rough.iter().map(|rough| Caution::from(*rough))).collect()
+}
+
+impl From<Roughness> for Caution {
+    fn from(Roughness { body, length, swing, pressure }: Roughness) -> Self {
+        Self::Rough { body, length, swing, pressure }
+    }
+}
+
+impl WheelsetCase {
+    /// Profiles that are rough where wheel and rail touch, as of [`rough_profiles`]; in steel where no materials
+    /// are given. `rolls` as for [`WheelsetCase::radius_difference`].
+    #[must_use]
+    pub fn rough_profiles(
+        &self,
+        difference: &RadiusDifference,
+        rolls: bool,
+    ) -> Vec<(Side, Caution)> {
+        let steel = || Solid::new(82e9, 0.28).map(|solid| SolidPair::new(solid, solid));
+        let Some(pair) = self.solids.or_else(|| steel().ok()) else { return Vec::new() };
+        let rough = rough_profiles(&self.running, &pair, difference, rolls);
+        rough.into_iter().map(|(side, rough)| (side, rough.into())).collect()
+    }
 }

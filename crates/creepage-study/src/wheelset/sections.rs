@@ -1,8 +1,8 @@
-//! The sections of the file, as they are written.
+//! Sections of a wheelset file, as they are written.
 
 use creepage::Solid;
 use creepage_rail::Smoothing;
-use creepage_rail::file::Wanted;
+use creepage_rail::file::ReadOptions;
 use creepage_wheelset::{Patches, RigidSlip, StepsStart};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -60,8 +60,8 @@ impl ReadingSection {
         Ok(())
     }
 
-    pub(super) fn wanted(&self) -> Wanted {
-        Wanted {
+    pub(super) fn wanted(&self) -> ReadOptions {
+        ReadOptions {
             unit: self.unit,
             field_side: self.y.map(|sense| sense == LateralSense::FieldSide),
             down: self.z.map(|sense| sense == UprightSense::Down),
@@ -69,7 +69,7 @@ impl ReadingSection {
                 .smooth
                 .map(Smoothing::Wavelength)
                 .or(self.smooth_weight.map(Smoothing::Weight)),
-            ..Wanted::default()
+            ..ReadOptions::default()
         }
     }
 }

@@ -34,7 +34,7 @@ impl WheelsetReport {
     /// the forces on the rails; close by in a second row.
     ///
     /// # Errors
-    /// [`GeometryError`] for a position that is none on this track.
+    /// [`GeometryError`] for a position that the track does not have.
     pub fn svg(&self, running: &WheelsetOnTrack) -> Result<String, GeometryError> {
         let largest =
             self.contacts().map(across).fold(0.0, |most: f64, [y, z]| most.max(y.hypot(z)));

@@ -1,4 +1,4 @@
-//! The report of a wheelset for a terminal.
+//! Text report of a wheelset, for a terminal.
 
 use creepage_plot::format::{fixed, quantity, significant};
 use creepage_rail::Side;

@@ -1,4 +1,4 @@
-//! The report of a wheelset as files: all of them or none.
+//! Report of a wheelset as files: all of them or none.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! Wheels that roll in steps: a table of positions, and the forces at the end of each.
+//! Transient rolling of a wheelset: a table of positions, and the forces at the end of each.
 
 use std::io::Read;
 use std::mem::discriminant;
@@ -14,7 +14,7 @@ use super::error::{WheelsetFileError, section};
 use super::report::wheelset_cautions;
 use super::steps_picture;
 use crate::Caution;
-use crate::case::similar::similar;
+use crate::case::keys::similar;
 
 /// Columns of a table of positions: the distance rolled (m), the place along the track (m) and the wheels' turn (rad)
 /// where surfaces vary along rolling, a wheel's own load (N), and what a wheelset is asked by.
@@ -44,7 +44,7 @@ pub const WHEEL_STEP_COLUMNS: [&str; 20] = [
     "status",
 ];
 
-/// Why a table is no way of wheels.
+/// Error of a table of positions.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum WheelTableError {
@@ -110,7 +110,7 @@ struct Row {
     asked: [f64; ASKED.len()],
 }
 
-/// Where wheels are and how they move, row by row: the motion of a row acts from the distance of the row before, or
+/// Table of positions and motions of wheels: the motion of a row acts from the distance of the row before, or
 /// zero, to its own, in the position of the row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WheelTable {
@@ -229,7 +229,7 @@ impl WheelTable {
     }
 }
 
-/// Wheels on their way by a table.
+/// Run of wheels in steps by a table.
 #[derive(Debug)]
 pub struct WheelStepsRun<'a> {
     case: &'a WheelsetCase,

@@ -1,4 +1,4 @@
-//! A wheelset's forces over a grid of positions and loads, for vehicle dynamics.
+//! Table of a wheelset's forces over a grid of positions and loads, for vehicle dynamics.
 
 use std::path::Path;
 
@@ -20,7 +20,7 @@ pub struct WheelsetTable {
     cells: Vec<Option<Cell>>,
 }
 
-/// What a table goes over, and the values.
+/// Axis of a table, and its values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableAxis {
     /// One of [`TableAxis::NAMES`].

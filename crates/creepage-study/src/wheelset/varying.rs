@@ -1,4 +1,4 @@
-//! What wheels and rails have beside one profile, as the file has it: slices, flats, harmonics, corrugation.
+//! Sections of wheels and rails that vary along rolling: slices, flats, harmonics, corrugation.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Temperatures of a wheelset's contacts.
+//! Temperatures of a wheelset's contacts, by the moving source of heat.
 
 use creepage::SiCreepage;
 use creepage::coulomb::ElementField;

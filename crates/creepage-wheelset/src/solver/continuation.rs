@@ -1,4 +1,4 @@
-//! A position beside one that was solved: by a coarse grid, corrected by what a fine one added there.
+//! Continuation from a solved position: a coarse grid, corrected by what a fine one added there.
 
 use std::sync::Arc;
 
@@ -7,7 +7,7 @@ use creepage::coulomb::{Resolution, hidden_by_border};
 
 use super::WheelsetSolver;
 use super::equilibrium::settle;
-use super::normal_contact::{Pressed, PressedWheel};
+use super::normal_contact::{PressedContact, PressedWheel};
 use super::predictor::nearest;
 use super::tangential::{Method, Rolled, Rolling, TractionWarmStart};
 use crate::correction::{Correction, difference};
@@ -18,7 +18,7 @@ use creepage::theory::AreaTheory;
 
 const COARSE: Method = Method::Exact(Resolution::COARSE);
 /// Shift (m) and yaw (rad) of a step that is followed: over longer ones friction changes too much.
-const NEAR: [f64; 2] = [2.001e-5, 2.001e-4];
+const MAX_FOLLOWED_STEP: [f64; 2] = [2.001e-5, 2.001e-4];
 
 impl<'a> WheelsetSolver<'a> {
     /// As [`WheelsetSolver::next`], quicker along walks in steps up to 20 um and 0.2 mrad.
@@ -80,10 +80,10 @@ impl<'a> WheelsetSolver<'a> {
     ) -> Option<SolvedWheelset> {
         let contacts = || before.wheels().flat_map(SolvedWheel::contacts);
         let (from, to) = (before.shift_and_yaw(), [stance.y, stance.yaw]);
-        let is_near = (0..2).all(|k| (to[k] - from[k]).abs() < NEAR[k]);
+        let is_near = (0..2).all(|k| (to[k] - from[k]).abs() < MAX_FOLLOWED_STEP[k]);
         let will_hold = |own: &SolvedContact| {
             own.correction.as_ref().is_none_or(|correction| {
-                correction.holds(&own.solution, correction.times(from, to, NEAR))
+                correction.holds(&own.solution, correction.times(from, to, MAX_FOLLOWED_STEP))
             })
         };
         if !matches!(self.theory, AreaTheory::Exact(_)) || !is_near || !contacts().all(will_hold) {
@@ -129,7 +129,7 @@ impl<'a> WheelsetSolver<'a> {
         let contacts = running.contacts_of(side, &position).ok()?;
         let pressed = |own: &SolvedContact| {
             let contact = *nearest(own, &contacts)?;
-            Some(Pressed { contact, normal: own.normal.clone() })
+            Some(PressedContact { contact, normal: own.normal.clone() })
         };
         let contacts = wheel.contacts().iter().map(pressed).collect::<Option<_>>()?;
         let radius = running.wheelset().radius();

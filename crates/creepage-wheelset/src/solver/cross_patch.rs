@@ -1,4 +1,4 @@
-//! Contacts of one wheel in planes of their own: how one sinks under the load of another.
+//! Cross influence of contacts of one wheel in planes of their own: how one sinks under the load of another.
 //!
 //! In like bodies a load presses both surfaces down alike and shifts them sideways alike, so that
 //! the undeformed distance grows along the normal of the *loaded* contact alone: by

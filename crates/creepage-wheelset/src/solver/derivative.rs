@@ -1,9 +1,9 @@
-//! Derivatives of the forces on both rails, with what the wheelset finds for itself following.
+//! Derivatives of the forces on both rails, with the implicit ones of what the wheelset finds for itself.
 
 use creepage_rail::Side;
 
 use super::WheelsetSolver;
-use super::implicit_derivative::{Found, WheelJacobians};
+use super::implicit_derivative::{FreeVariables, WheelJacobians};
 use super::normal_contact::PatchWarmStart;
 use super::pose_derivative::{LoadJacobian, Standing, WheelLoads};
 use super::tangential::Method;
@@ -35,7 +35,7 @@ impl WheelsetSolver<'_> {
         }
         let hangs = [&solved.left, &solved.right]
             .map(|wheel| wheel.as_ref().is_none_or(|wheel| wheel.contacts().is_empty()));
-        let found = Found::of(stance, travel, hangs)?;
+        let found = FreeVariables::of(stance, travel, hangs)?;
         let [near, far] = self.partials(solved)?;
         let [near, far] = [found.total(&near)?, found.total(&far)?];
         let row = |index: usize| -> Row {

@@ -1,4 +1,4 @@
-//! The equilibrium of a wheelset: the height and the roll at which its wheels carry what is asked of them.
+//! Equilibrium of a wheelset: the height and the roll at which its wheels carry what is asked of them.
 //!
 //! Newton's method on the vertical forces to the power 2/3 ([`Target`]), with the stiffness of the contacts as
 //! Jacobian, Broyden's updates for what that does not know, and a trust region. The pitch rate, at which friction
@@ -38,7 +38,7 @@ const SCATTER: f64 = 5e-4;
 const FOLLOWS: f64 = 0.015;
 /// A part of the residual at which the next stage begins: closer, friction is worth more than another step.
 const NEXT_STAGE_BELOW: f64 = 0.25;
-/// A step on known friction that leaves more than this part of the residual is followed by rolling.
+/// Friction is solved again if a step with frozen friction leaves more than this part of the residual.
 const MAX_RESIDUAL_PART: f64 = 0.5;
 
 /// How finely an evaluation presses and rolls, and the residual at which the next stage begins.
@@ -46,7 +46,7 @@ const MAX_RESIDUAL_PART: f64 = 0.5;
 struct Stage {
     resolution: normal::Resolution,
     method: Method,
-    enough: f64,
+    load_tolerance: f64,
 }
 
 /// Solves a wheelset that stands, moves and is loaded like this, by one method.
@@ -163,7 +163,7 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
             return self.reject(&lines).map(|()| None);
         }
         if self.defers_friction(&wheels, by_known) {
-            self.learn(&mut lines);
+            self.update_slopes(&mut lines);
             self.start.pressures = PatchWarmStart::of(&wheels);
             self.accept(lines, by_known, false)?;
             return Ok(None);
@@ -172,9 +172,9 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
         let by = (stage.method, &self.start.friction[..]);
         let rollings = Rolling::all(&wheels, self.solver, self.travel.speed, by)?;
         let is_last = self.stages.len() == 1;
-        let enough = if is_last { tangential::BALANCED } else { ROUGHLY_BALANCED };
+        let moment_tolerance = if is_last { tangential::BALANCED } else { ROUGHLY_BALANCED };
         let radius = self.solver.press.running.wheelset().radius();
-        let guess = (self.start.pitch, enough);
+        let guess = (self.start.pitch, moment_tolerance);
         let turning = match tangential::turning(&rollings, self.travel, radius, guess) {
             Ok(turning) => turning,
             Err(error) => return self.refuse(error).map(|()| None),
@@ -191,9 +191,9 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
         }
         // Slopes are learnt from positions whose friction was found alike.
         if was_rolled {
-            self.learn(&mut rolled);
+            self.update_slopes(&mut rolled);
         } else {
-            self.learn(&mut lines);
+            self.update_slopes(&mut lines);
             for ((_, line), (_, known)) in rolled.iter_mut().zip(&lines) {
                 line.by = known.by;
             }
@@ -269,7 +269,7 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
         let is_first = self.is_near && self.iterate.is_none();
         let may_defer = (!is_cheap || is_first) && !has_stepped && !self.is_scattered;
         let is_met = match self.stages[..] {
-            [Stage { enough, .. }, _, ..] => residual < NEXT_STAGE_BELOW * enough,
+            [Stage { load_tolerance, .. }, _, ..] => residual < NEXT_STAGE_BELOW * load_tolerance,
             _ => self.is_met(wheels, &self.start.shares),
         };
         may_defer && residual > self.friction_changed && !is_met
@@ -320,13 +320,13 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
     }
 
     /// Slopes of lines at the trial, from the step that led there.
-    fn learn(&self, lines: &mut [(Side, LoadLine)]) {
+    fn update_slopes(&self, lines: &mut [(Side, LoadLine)]) {
         if self.iterate.is_none() && !self.is_near {
             return;
         }
         for ((_, line), place) in lines.iter_mut().zip(&self.trial) {
             if let Some(expected) = place.expected.filter(|_| line.root > 0.0) {
-                line.learn(&expected, place.moved);
+                line.update_slopes(&expected, place.moved);
             }
         }
     }
@@ -349,9 +349,9 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
             self.trial.iter().map(|place| Place::new(place.side, place.position)).collect();
         self.iterate = Some(Iterate { places, lines, residual, is_rolled });
         self.step_on()?;
-        if let [Stage { enough, .. }, _, ..] = self.stages[..]
+        if let [Stage { load_tolerance, .. }, _, ..] = self.stages[..]
             && is_rolled
-            && (residual < enough || self.is_scattered)
+            && (residual < load_tolerance || self.is_scattered)
         {
             // The next stage has forces of its own, which are compared with none of this one.
             self.stages.remove(0);
@@ -370,7 +370,7 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
             {
                 let mut found = *found;
                 if let Some(expected) = place.expected.filter(|_| found.root > 0.0) {
-                    found.learn(&expected, place.moved);
+                    found.update_slopes(&expected, place.moved);
                     own.by = found.by;
                 }
             }
@@ -458,8 +458,12 @@ fn forces(wheels: &[PressedWheel<'_>], shares: &LateralForceRatios) -> Vec<(Side
 fn stages(method: Method, resolution: normal::Resolution) -> Vec<Stage> {
     use creepage::approximate::non_hertzian::Simplified;
     use creepage::coulomb::Resolution;
-    let last = Stage { resolution, method, enough: 0.0 };
-    let coarse = |method, enough| Stage { resolution: normal::Resolution::COARSE, method, enough };
+    let last = Stage { resolution, method, load_tolerance: 0.0 };
+    let coarse = |method, load_tolerance| Stage {
+        resolution: normal::Resolution::COARSE,
+        method,
+        load_tolerance,
+    };
     match method {
         Method::Exact(_) => vec![
             coarse(Method::Simplified(Simplified::Fastsim, [20, 10]), 0.01),

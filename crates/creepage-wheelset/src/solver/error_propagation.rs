@@ -1,4 +1,4 @@
-//! How the errors of contacts add up where a wheelset stands: linear propagation of independent errors.
+//! Error propagation in an equilibrium: linear, of independent errors of the contacts.
 //!
 //! Each contact has four sources of error: its load at the given approach, its two tangential forces and their
 //! moment. Where a load is given, what a source adds to it is taken off again, for the wheelset stands so much higher;

@@ -1,4 +1,4 @@
-//! What the gap of a contact has beyond parabolas along rolling.
+//! Excess of a contact's gap beyond parabolas along rolling.
 //!
 //! Under a line along `x` the profile of a wheel turned against the rail passes sideways, on a flange by as much
 //! as the contact is wide. The gap along that line is no parabola then: where that matters, a grid of what the
@@ -18,7 +18,7 @@ const MATTERS: [f64; 2] = [3e-4, 1e-3];
 /// Half length of the chords, over that of the overlap: where contact ends.
 const CHORD: f64 = 0.7;
 
-/// What is to be added to parabolas along `x`.
+/// Excess of a gap over parabolas along `x`.
 #[derive(Debug, Clone)]
 pub(super) struct Excess {
     /// Radii (m) of the parabolas at all places of the section.

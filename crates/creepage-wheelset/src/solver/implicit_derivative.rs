@@ -1,4 +1,4 @@
-//! What a wheelset finds for itself, and how it follows what is given.
+//! Implicit derivatives: how the free variables of an equilibrium follow the given ones.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -9,27 +9,27 @@ use crate::{Load, StateVariable, WheelsetError, WheelsetPose, WheelsetVelocity};
 /// Both wheels, left and right; zeros for one that is not there.
 pub(crate) type WheelJacobians = [LoadJacobian; 2];
 
-/// The parts of the left and the right wheel.
-type Share = [f64; 2];
-const BOTH: Share = [1.0, 1.0];
-const LEFT: Share = [1.0, 0.0];
-const RIGHT: Share = [0.0, 1.0];
+/// Weights of the left and the right wheel.
+type WheelWeights = [f64; 2];
+const BOTH: WheelWeights = [1.0, 1.0];
+const LEFT: WheelWeights = [1.0, 0.0];
+const RIGHT: WheelWeights = [0.0, 1.0];
 
-/// What is found, and what it keeps as it is.
-pub(crate) struct Found {
+/// Free variables of an equilibrium, and the sums that it keeps.
+pub(crate) struct FreeVariables {
     /// Each with the wheels that it moves.
-    unknowns: Vec<(StateVariable, Share)>,
+    unknowns: Vec<(StateVariable, WheelWeights)>,
     kept: Vec<Kept>,
 }
 
 /// A sum over both wheels of something that they do.
 struct Kept {
-    /// Its place among [`WheelLoads`](super::partial::Acts).
+    /// Its place among [`WheelLoads`](super::pose_derivative::WheelLoads).
     what: usize,
-    share: Share,
+    share: WheelWeights,
 }
 
-impl Found {
+impl FreeVariables {
     /// A wheel that touches nothing (`hangs`: the left, the right one) has no pitch rate to be found.
     pub(crate) fn of(
         stance: &WheelsetPose,
@@ -75,7 +75,7 @@ impl Found {
             Drive::Torque(_) => AXLE,
             Drive::Force(_) => LONGITUDINAL,
         };
-        let mut turns = |share: Share| {
+        let mut turns = |share: WheelWeights| {
             found.unknowns.push((StateVariable::PitchRate, share));
             found.kept.push(Kept { what, share });
         };
@@ -125,7 +125,7 @@ impl Found {
 
 impl Kept {
     /// How it changes by a number of some wheels.
-    fn change(&self, partial: &WheelJacobians, by: StateVariable, whose: Share) -> f64 {
+    fn change(&self, partial: &WheelJacobians, by: StateVariable, whose: WheelWeights) -> f64 {
         let of = |k: usize| self.share[k] * whose[k] * partial[k][(self.what, by.index())];
         of(0) + of(1)
     }

@@ -1,5 +1,4 @@
-//! The contacts of a wheelset solved: where it stands under its load, what presses on each
-//! contact, how it rolls there.
+//! Wheelset solver: equilibrium under the load, pressure of each contact, and rolling there.
 
 mod continuation;
 mod cross_patch;
@@ -14,7 +13,6 @@ mod pose_derivative;
 mod predictor;
 mod solution;
 mod start;
-mod stood;
 mod tangential;
 mod vertical_load;
 
@@ -25,8 +23,9 @@ use creepage_rail::{Position, Side, WheelsetOnTrack};
 
 use self::equilibrium::settle;
 use self::normal_contact::NormalSolver;
+pub use self::normal_contact::PressedContacts;
 use self::start::Start;
-pub use self::stood::PressedContacts;
+
 use self::tangential::Method;
 pub(crate) use self::vertical_load::{LoadLine, Target};
 use crate::error::WheelsetError;

@@ -1,4 +1,4 @@
-//! How the friction on a contact changes with the wheelset's motion, its pressure held.
+//! Derivatives of a contact's friction by the wheelset's motion, at fixed pressure.
 
 use creepage::theory::Jacobian;
 use creepage::{Force, SiForce};

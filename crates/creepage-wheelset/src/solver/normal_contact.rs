@@ -1,16 +1,16 @@
-//! One wheel pressed on its rail: its contacts and the pressure in each.
+//! Normal contact of one wheel on its rail: its contacts and the pressure in each.
 
-use creepage::SolidPair;
-use creepage::gap::{Gap, Rolling};
-use creepage::normal::{self, NormalContact, NormalError};
-use creepage_rail::{Across, Contact, Position, Side, WheelsetOnTrack};
-
+use super::WheelsetSolver;
 use super::cross_patch;
 use super::excess::Excess;
 use crate::WheelsetError;
 use crate::pose::Patches;
 use crate::tilt::{Placed, distance};
 use crate::warm_start::LateralForceRatios;
+use creepage::SolidPair;
+use creepage::gap::{Gap, Rolling};
+use creepage::normal::{self, NormalContact, NormalError, Resolution};
+use creepage_rail::{Across, Contact, Position, Side, WheelsetOnTrack};
 
 /// Places across a contact at which the undeformed bodies are looked up.
 const PLACES: usize = 161;
@@ -19,9 +19,9 @@ const LATTICE: [usize; 2] = [61, 81];
 /// How far beyond the overlap they reach, over its width.
 const MARGIN: f64 = 0.05;
 
-/// A place of contact with its pressure.
+/// Contact with its pressure.
 #[derive(Debug, Clone)]
-pub(crate) struct Pressed<'a> {
+pub(crate) struct PressedContact<'a> {
     pub(crate) contact: Contact<'a>,
     pub(crate) normal: NormalContact,
 }
@@ -33,10 +33,10 @@ pub(crate) struct PressedWheel<'a> {
     pub(crate) position: Position,
     /// Height of the axle over the track at `z = 0` (m).
     pub(crate) radius: f64,
-    pub(crate) contacts: Vec<Pressed<'a>>,
+    pub(crate) contacts: Vec<PressedContact<'a>>,
 }
 
-/// The pressure of a contact in a position close by, from which others are found quickly.
+/// Warm start of a contact's pressure, from a position close by.
 #[derive(Debug, Clone)]
 pub(crate) struct PatchWarmStart {
     side: Side,
@@ -68,7 +68,7 @@ impl PatchWarmStart {
     }
 }
 
-/// What pressing needs to know besides the position.
+/// Solver of the normal contact of a wheel: all that pressing needs besides the position.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NormalSolver<'a> {
     pub(crate) running: &'a WheelsetOnTrack,
@@ -85,7 +85,7 @@ impl<'a> NormalSolver<'a> {
     /// its rail.
     ///
     /// Contacts in one plane are one system; those in planes of their own feel each other as
-    /// [`apart`] has it.
+    /// [`cross_patch`] has it.
     pub(crate) fn wheel(
         &self,
         side: Side,
@@ -189,9 +189,9 @@ impl<'a> CrossPatch<'a> {
         self.normal.as_ref().map_or(0.0, |normal| normal.load().value)
     }
 
-    fn pressed(self) -> Option<Pressed<'a>> {
+    fn pressed(self) -> Option<PressedContact<'a>> {
         let Self { contact, normal, .. } = self;
-        normal.map(|normal| Pressed { contact, normal })
+        normal.map(|normal| PressedContact { contact, normal })
     }
 }
 
@@ -224,7 +224,7 @@ fn gap(
     }
 }
 
-impl Pressed<'_> {
+impl PressedContact<'_> {
     pub(crate) fn load(&self) -> f64 {
         self.normal.load().value
     }
@@ -270,12 +270,35 @@ impl PressedWheel<'_> {
 
     /// Change of the vertical force when every contact comes nearer by `approach`.
     fn change(&self, shares: &LateralForceRatios, approach: impl Fn(&Contact<'_>) -> f64) -> f64 {
-        let of = |one: &Pressed<'_>| {
+        let of = |one: &PressedContact<'_>| {
             one.normal.stiffness()
                 * approach(&one.contact)
                 * one.vertical_ratio(shares.of(&one.contact))
         };
         self.contacts.iter().map(of).sum::<f64>()
+    }
+}
+
+/// The contacts of a wheel with their pressures.
+pub type PressedContacts<'a> = Vec<(Contact<'a>, NormalContact)>;
+
+impl<'a> WheelsetSolver<'a> {
+    /// One wheel in a position, from its contacts in one nearby; without contacts where it hangs above its rail.
+    ///
+    /// # Errors
+    /// [`WheelsetError`] where wheel and rail do not meet as they should, or a contact has no pressure.
+    pub fn stand(
+        &self,
+        (side, position): (Side, Position),
+        resolution: Resolution,
+        near: &[(Contact<'_>, NormalContact)],
+    ) -> Result<PressedContacts<'a>, WheelsetError> {
+        let known =
+            near.iter().map(|(contact, normal)| PatchWarmStart::new(side, contact.spot(), normal));
+        let press = NormalSolver { resolution, follows: false, ..self.press };
+        let wheel = press.wheel(side, position, &known.collect::<Vec<_>>())?;
+        let contacts = wheel.contacts.into_iter();
+        Ok(contacts.map(|pressed| (pressed.contact, pressed.normal)).collect())
     }
 }
 

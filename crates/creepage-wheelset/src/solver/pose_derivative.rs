@@ -1,11 +1,11 @@
-//! How what one wheel does changes with one number of its position or motion, all others held.
+//! Partial derivatives of one wheel's loads by its position and motion, by central differences of two steps.
 
 use creepage::SiForce;
 use creepage_rail::{Motion, Position};
 use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
 
-use super::normal_contact::{PatchWarmStart, Pressed, PressedWheel};
+use super::normal_contact::{PatchWarmStart, PressedContact, PressedWheel};
 use super::tangential::{Method, Rolling};
 use super::{WheelsetSolver, motion_derivative};
 use crate::resultant::Acting;
@@ -25,12 +25,12 @@ pub(crate) const AXLE: usize = 6;
 /// Where they have the moment about `x` through the wheelset's centre.
 pub(crate) const ROLLING: usize = 7;
 
-/// Their derivatives by [`StateVariable::ALL`].
+/// Derivatives of the wheel's loads by [`StateVariable::ALL`].
 pub(crate) type LoadJacobian = SMatrix<f64, 8, 8>;
 
 /// A part of the position that is moved, and by how much to either side (m, rad): less, and the
 /// pressures' scatter shows; more, and so do the kinks of the profiles' curvature.
-const STEPS: [(StateVariable, f64); 4] = [
+const DIFFERENCE_STEPS: [(StateVariable, f64); 4] = [
     (StateVariable::Y, 5e-7),
     (StateVariable::Z, 5e-7),
     (StateVariable::Roll, 7.5e-7),
@@ -52,14 +52,16 @@ impl<'a> Standing<'_, 'a> {
     /// Its derivatives with the step, and with twice the step.
     pub(crate) fn partials(&self) -> Result<[LoadJacobian; 2], WheelsetError> {
         let all: Vec<_> =
-            TIMES.iter().flat_map(|by| STEPS.iter().map(move |to| (by, to))).collect();
+            TIMES.iter().flat_map(|by| DIFFERENCE_STEPS.iter().map(move |to| (by, to))).collect();
         let differences = all.into_par_iter().map(|(times, &(by, step))| {
             let difference = self.difference(by, times * step)?;
             Ok((by, difference))
         });
         let differences = differences.collect::<Result<Vec<_>, WheelsetError>>()?;
         let mut partials = [self.motion_derivative()?; 2];
-        for (partial, differences) in partials.iter_mut().zip(differences.chunks(STEPS.len())) {
+        for (partial, differences) in
+            partials.iter_mut().zip(differences.chunks(DIFFERENCE_STEPS.len()))
+        {
             for (by, difference) in differences {
                 partial.set_column(by.index(), difference);
             }
@@ -96,7 +98,7 @@ impl<'a> Standing<'_, 'a> {
         Ok(sum)
     }
 
-    /// Twice, for a pressure that is found from another keeps a hundredth part of the way to it.
+    /// The pressed wheel, solved twice: a single warm-started solution keeps a bias of some 1 % of the change.
     fn pressed(&self, position: Position) -> Result<[PressedWheel<'a>; 1], WheelsetError> {
         let first = self.solver.press.wheel(self.wheel.side, position, self.known)?;
         Ok([self.solver.press.wheel(self.wheel.side, position, &PatchWarmStart::of(&[first]))?])
@@ -111,7 +113,7 @@ impl<'a> Standing<'_, 'a> {
 
     /// Friction and a load at a contact.
     fn acting(&self, rolling: &Rolling<'_, '_>, friction: SiForce, load: f64) -> WheelLoads {
-        let Pressed { contact, normal } = rolling.pressed;
+        let PressedContact { contact, normal } = rolling.pressed;
         let acting = Acting::new(friction, load, normal.centroid());
         let origin = self.wheel.rail_origin;
         let ([x, y, z], [mx, my, mz]) = acting.about(contact.reference, contact.tilt(), origin);

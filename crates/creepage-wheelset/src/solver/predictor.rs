@@ -1,5 +1,4 @@
-//! Where a wheelset stands beside a position that was solved: what the undeformed bodies tell of it,
-//! before anything is pressed.
+//! Predictor of the pose beside a solved position: by the undeformed bodies, before anything is pressed.
 
 use creepage_rail::{Contact, Position, Side, WheelsetOnTrack};
 
@@ -12,7 +11,7 @@ use crate::warm_start::{LateralForceRatios, PredictorCorrection};
 use crate::{Load, WheelsetPose};
 
 /// Shift (m) and yaw (rad) by which a position is near.
-const NEAR: [f64; 2] = [1.001e-4, 1.001e-3];
+const MAX_PREDICTED_STEP: [f64; 2] = [1.001e-4, 1.001e-3];
 
 /// The places of wheels that were solved nearby, and what they should carry; `None` where they were
 /// farther off, or nothing is to be sought.
@@ -53,7 +52,7 @@ pub(crate) fn places(
 
 fn is_near(position: Position, stance: &WheelsetPose) -> bool {
     let shift = [stance.y - position.y, stance.yaw - position.yaw].map(f64::abs);
-    shift[0] < NEAR[0] && shift[1] < NEAR[1]
+    shift[0] < MAX_PREDICTED_STEP[0] && shift[1] < MAX_PREDICTED_STEP[1]
 }
 
 fn given_roll(stance: &WheelsetPose) -> Option<f64> {
@@ -191,5 +190,5 @@ fn sides_beyond(before: &SolvedWheelset, solved: &SolvedWheelset) -> Vec<Vec<[f6
 /// The step to a shift and a yaw, over what is near.
 fn step(before: &SolvedWheelset, [y, yaw]: [f64; 2]) -> [f64; 2] {
     let from = before.position();
-    [(y - from.y) / NEAR[0], (yaw - from.yaw) / NEAR[1]]
+    [(y - from.y) / MAX_PREDICTED_STEP[0], (yaw - from.yaw) / MAX_PREDICTED_STEP[1]]
 }

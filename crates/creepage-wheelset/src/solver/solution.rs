@@ -1,4 +1,4 @@
-//! What was pressed and rolled, as a solved wheelset keeps it.
+//! Solution of an equilibrium, as a solved wheelset keeps it.
 
 use std::sync::Arc;
 
@@ -6,7 +6,7 @@ use creepage::normal::NormalContact;
 use creepage_rail::{Contact, Motion, Side, WheelsetOnTrack};
 
 use super::WheelsetSolver;
-use super::normal_contact::{Pressed, PressedWheel};
+use super::normal_contact::{PressedContact, PressedWheel};
 use super::tangential::{Answer, Rolled, Rolling, Turning};
 use super::vertical_load::LoadLine;
 use crate::WheelsetVelocity;
@@ -108,7 +108,7 @@ impl SolvedWheel {
 }
 
 impl SolvedContact {
-    fn new(pressed: &Pressed<'_>, rolled: &Rolled<'_>) -> Self {
+    fn new(pressed: &PressedContact<'_>, rolled: &Rolled<'_>) -> Self {
         let (contact, scaling) = (&pressed.contact, rolled.scaling);
         let solution = rolled.solution;
         let load = pressed.normal.load();

@@ -1,4 +1,4 @@
-//! Where the search for equilibrium begins: from nothing, or from a position that was solved.
+//! Start of the search for equilibrium: from nothing, or from a position that was solved.
 
 use creepage_rail::{Position, Side};
 
@@ -36,7 +36,7 @@ impl Place {
     }
 }
 
-/// What is known where the search begins, and what its last evaluation tells.
+/// Start of the search, and what its last evaluation tells.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Start {
     /// Friction over load of contacts.

@@ -1,4 +1,4 @@
-//! Rolling on the contacts of a wheelset whose pressure is known.
+//! Tangential solution on contacts whose pressure is known, and the search for the pitch rate.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 use super::WheelsetSolver;
 use super::cross_patch::in_track;
-use super::normal_contact::{Pressed, PressedWheel};
+use super::normal_contact::{PressedContact, PressedWheel};
 use crate::correction::Correction;
 use crate::curving::{Curving, RigidMotion};
 use crate::pose::{Drive, PitchRate, RigidSlip};
@@ -23,7 +23,7 @@ use crate::tilt::{Placed, distance};
 use crate::warm_start::PitchState;
 use crate::{WheelsetError, WheelsetVelocity};
 
-/// By which theory contacts roll, and how finely.
+/// Tangential theory, and its resolution.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Method {
     Exact(Resolution),
@@ -46,7 +46,7 @@ pub(crate) enum Prepared {
     Simplified(Arc<NonHertzianSimplified>),
 }
 
-/// A contact rolled.
+/// Solution of rolling on one contact.
 #[derive(Debug)]
 pub(crate) enum Answer<'r> {
     Exact(Box<NonHertzianSolved<'r>>),
@@ -55,7 +55,7 @@ pub(crate) enum Answer<'r> {
 
 impl Prepared {
     fn new(
-        pressed: &Pressed<'_>,
+        pressed: &PressedContact<'_>,
         (friction, law): (f64, Option<RollingFriction>),
         method: Method,
     ) -> Result<Self, WheelsetError> {
@@ -102,7 +102,7 @@ impl Prepared {
         };
         Answer::Exact(match (before, near) {
             (Some(Answer::Exact(mut solved)), _) => {
-                solved.go_on(creepage, more);
+                solved.resolve_at(creepage, more);
                 solved
             }
             (_, Some(near)) => Box::new(theory.solve_near(creepage, more, near)),
@@ -111,7 +111,7 @@ impl Prepared {
     }
 }
 
-/// The friction on a contact in a position close by.
+/// Warm start of a contact's tractions, from a position close by.
 #[derive(Debug, Clone)]
 pub(crate) struct TractionWarmStart {
     side: Side,
@@ -181,7 +181,7 @@ impl Answer<'_> {
 #[derive(Debug)]
 pub(crate) struct Rolling<'w, 'a> {
     pub(crate) wheel: &'w PressedWheel<'a>,
-    pub(crate) pressed: &'w Pressed<'a>,
+    pub(crate) pressed: &'w PressedContact<'a>,
     theory: Prepared,
     pub(crate) slip: RigidSlip,
     /// The largest coefficient of friction.
@@ -191,7 +191,7 @@ pub(crate) struct Rolling<'w, 'a> {
     near: Option<TractionWarmStart>,
 }
 
-/// The same, rolled.
+/// Contact with the solution of its rolling.
 #[derive(Debug)]
 pub(crate) struct Rolled<'r> {
     pub(crate) motion: RigidMotion,
@@ -339,7 +339,7 @@ pub(crate) fn axle(position: Position) -> [f64; 3] {
     [-sin, cos * cos_roll, cos * sin_roll]
 }
 
-/// How the wheels turn, and how their contacts roll then.
+/// Pitch rate of the wheels, with their contacts' rolling at it.
 pub(crate) struct Turning<'r> {
     /// Of the left and of the right wheel.
     pub(crate) motions: [Motion; 2],
@@ -349,24 +349,29 @@ pub(crate) struct Turning<'r> {
 }
 
 /// Rolls in a motion with its pitch rates: given ones, or those at which friction balances the torque, or
-/// pulls as wanted, to `enough` of what it could.
+/// pulls as wanted, to `moment_tolerance` of what it could.
 pub(crate) fn turning<'r>(
     rollings: &'r [Rolling<'_, '_>],
     travel: &WheelsetVelocity,
     radius: f64,
-    (guess, enough): ([PitchState; 2], f64),
+    (guess, moment_tolerance): ([PitchState; 2], f64),
 ) -> Result<Turning<'r>, WheelsetError> {
     match travel.pitch {
         PitchRate::Rigid(rate) => {
-            let search = PitchSearch { travel, rate, radius, guess: guess[0], enough };
+            let search = PitchSearch { travel, rate, radius, guess: guess[0], moment_tolerance };
             let (motion, rolled, pitch) = search.run(rollings)?;
             Ok(Turning { motions: [motion; 2], rolled, pitch: [pitch; 2] })
         }
         PitchRate::Independent(rates) => {
             let count = rollings.iter().filter(|one| one.wheel.side == Side::Left).count();
             let (left, right) = rollings.split_at(count);
-            let search =
-                |k: usize| PitchSearch { travel, rate: rates[k], radius, guess: guess[k], enough };
+            let search = |k: usize| PitchSearch {
+                travel,
+                rate: rates[k],
+                radius,
+                guess: guess[k],
+                moment_tolerance,
+            };
             let (on_left, mut rolled, pitch_left) = search(0).run(left)?;
             let (on_right, more, pitch_right) = search(1).run(right)?;
             rolled.extend(more);
@@ -382,11 +387,11 @@ struct PitchSearch<'t> {
     rate: Option<f64>,
     radius: f64,
     guess: PitchState,
-    enough: f64,
+    moment_tolerance: f64,
 }
 
 impl PitchSearch<'_> {
-    const STEPS: usize = 60;
+    const MAX_STEPS: usize = 60;
     /// Of the rate of a wheel that rolls on its nominal circle: the narrowest bracket.
     const NARROW: f64 = 1e-13;
     /// The same: between these every wheel slides.
@@ -450,10 +455,10 @@ impl PitchSearch<'_> {
         let bracket = Self::BRACKET.map(|times| times * nominal);
         let mut search = Root::new(self.guess.rate.unwrap_or(nominal), bracket);
         let mut before = Vec::new();
-        for _ in 0..Self::STEPS {
+        for _ in 0..Self::MAX_STEPS {
             let (motion, rolled, pitch) = self.at(rollings, search.at, before)?;
             let excess = self.excess(rollings, &rolled);
-            let is_found = excess.abs() < self.enough * most;
+            let is_found = excess.abs() < self.moment_tolerance * most;
             if is_found || search.is_spent(Self::NARROW * nominal) {
                 if !is_found && bracket.iter().any(|end| (search.at / end - 1.0).abs() < 1e-6) {
                     let (Drive::Torque(wanted) | Drive::Force(wanted)) = self.travel.drive;

@@ -1,4 +1,4 @@
-//! What is asked of the vertical forces, and Newton's step in height and roll that meets it.
+//! Vertical load balance: Newton's step in height and roll that meets the prescribed vertical forces.
 //!
 //! The load of a wheel rises with its depth to the power 3/2 (Hertz 1882). Newton's method therefore acts on forces to
 //! the power 2/3, which are nearly linear in height and roll: one step from a third or from three times the load
@@ -37,7 +37,7 @@ impl LoadLine {
     /// 1965): friction and the direction of the contact change along with the load, and areas join, which no stiffness
     /// knows. Unchanged where the
     /// step tells less than the scatter of forces does, or the slope would change by more than ten times.
-    pub(crate) fn learn(&mut self, expected: &Self, [down, turn]: [f64; 2]) {
+    pub(crate) fn update_slopes(&mut self, expected: &Self, [down, turn]: [f64; 2]) {
         /// Parts of the force by which it scatters, as friction and the tips of areas do.
         const SCATTER: f64 = 2e-4;
         const SOUND: [f64; 2] = [0.1, 10.0];
@@ -68,7 +68,7 @@ fn root(force: f64) -> f64 {
     force.max(0.0).cbrt().powi(2)
 }
 
-/// What is asked of the vertical forces on both rails, or on one.
+/// Prescribed vertical forces on both rails, or on one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Target {
     /// Nothing: height and roll are given.
@@ -296,7 +296,7 @@ mod tests {
         let moved = [1e-6, -2e-6];
         let expected = before.after(moved);
         let mut found = LoadLine { root: expected.root + 3.0, by: [2.1e7, 1.6e7] };
-        found.learn(&expected, moved);
+        found.update_slopes(&expected, moved);
         let secant = found.by[0] * moved[0] + found.by[1] * moved[1];
         assert!((secant - (found.root - before.root)).abs() < 1e-9);
     }

@@ -87,7 +87,7 @@ impl FreeRolling {
                 * most
                 * integrand(t, most * most * (1.0 - (1.0 - y.powi(3)).powi(2)))
         };
-        self.dissimilarity * r / std::f64::consts::PI * POINTS.iter().map(term).sum::<f64>()
+        self.dissimilarity * r / std::f64::consts::PI * GAUSS_RULE.iter().map(term).sum::<f64>()
     }
 }
 
@@ -102,7 +102,7 @@ fn integrand(t: f64, rest: f64) -> f64 {
 }
 
 /// Gauss's points and weights on (0, 1).
-static POINTS: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
+static GAUSS_RULE: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
     let count = NonZeroUsize::new(48);
     let rule = count.map(|count| GaussLegendre::new(count).as_node_weight_pairs().to_vec());
     rule.unwrap_or_default().iter().map(|(x, w)| (0.5 * (1.0 + x), 0.5 * w)).collect()

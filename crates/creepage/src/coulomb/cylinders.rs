@@ -1,4 +1,4 @@
-//! Two unlike cylinders with parallel axes: Carter's problem with `kappa`, coupled both ways.
+//! Unlike cylinders with parallel axes: Carter's problem with `kappa`, coupled both ways.
 //!
 //! R. H. Bentall, K. L. Johnson, Slip in the rolling contact of two dissimilar elastic rollers,
 //! Int. J. Mech. Sci. 9 (1967) 389-404. In units of the frictionless half-width `a` and peak pressure
@@ -25,7 +25,7 @@ use crate::theory::Status;
 
 /// Elements, closer towards the ends: angles of equal size.
 const ELEMENTS: usize = 128;
-/// Of the traction that an element's own slip asks for.
+/// Weight `r` of slip in the projection, as a fraction of the traction per slip of an element alone.
 const WEIGHT: f64 = 0.3;
 
 /// Unlike cylinders under a load, prepared for one coefficient of friction.
@@ -118,14 +118,14 @@ impl Cylinders {
     /// # Errors
     /// [`InvalidValue`] unless `force` is between -0.999 and 0.999.
     pub fn find(&self, force: f64) -> Result<CylindersSolved, InvalidValue> {
-        const STEPS: usize = 100;
+        const MAX_ROOT_STEPS: usize = 100;
         const FORCE_TOLERANCE: f64 = 1e-9;
         check::require(force.abs() <= 0.999, "force", force, "between -0.999 and 0.999")?;
         let wide = 8.0 + 8.0 * self.slip_by_pressure.abs();
         // Creepage and what the force has too much there.
         let [mut low, mut high] = [(-wide, -1.0 - force), (wide, 1.0 - force)];
         let mut solved = self.solve(0.0)?;
-        for step in 0..STEPS {
+        for step in 0..MAX_ROOT_STEPS {
             let here = (solved.creepage, solved.force() - force);
             if here.1.abs() < FORCE_TOLERANCE {
                 break;
@@ -142,12 +142,12 @@ impl Cylinders {
 
     /// Tractions that obey friction at the present pressure; whether they do.
     fn solve_tangential(&self, creepage: f64, state: &mut State) -> bool {
-        const STEPS: usize = 60;
+        const MAX_NEWTON_STEPS: usize = 60;
         const TOLERANCE: f64 = 1e-11;
         let n = state.used.len();
         let (matrix, forcing) = self.slip(creepage, state);
         let weights: Vec<f64> = (0..n).map(|i| WEIGHT / matrix[(i, i)].abs()).collect();
-        for step in 0..STEPS {
+        for step in 0..MAX_NEWTON_STEPS {
             let slip = &matrix * &state.used + &forcing;
             let trial: Vec<f64> = (0..n).map(|i| state.used[i] + weights[i] * slip[i]).collect();
             let adheres = |i: usize| trial[i].abs() <= 1.0;
@@ -165,7 +165,7 @@ impl Cylinders {
                 return false;
             };
             // Late steps are halved, for full ones may swing between two states.
-            state.used += change * if step < STEPS / 2 { 1.0 } else { 0.5 };
+            state.used += change * if step < MAX_NEWTON_STEPS / 2 { 1.0 } else { 0.5 };
         }
         false
     }
@@ -255,7 +255,8 @@ impl State {
 
 /// Mean of the pressure over an element; never zero, for tractions are unknown over it.
 fn bound(coefficients: &[f64], ends: &[f64]) -> f64 {
-    const LEAST: f64 = 1e-9;
+    /// Of the scale of the pressure: lower bound of an element's mean.
+    const MIN_PRESSURE: f64 = 1e-9;
     let wave = |k: usize, angle: f64| {
         let m = k as f64;
         let low = if k == 0 { angle } else { (m * angle).sin() / m };
@@ -263,7 +264,7 @@ fn bound(coefficients: &[f64], ends: &[f64]) -> f64 {
     };
     let part = |(k, c): (usize, &f64)| c * (wave(k, ends[1]) - wave(k, ends[0]));
     let sum: f64 = coefficients.iter().enumerate().map(part).sum();
-    (sum / (ends[0].cos() - ends[1].cos())).max(LEAST)
+    (sum / (ends[0].cos() - ends[1].cos())).max(MIN_PRESSURE)
 }
 
 impl CylindersSolved {

@@ -14,7 +14,8 @@ pub(super) fn dissipation(power: f64, fine: &Sum, work: f64) -> f64 {
     (power + beyond.max(0.0)).max(0.0)
 }
 
-/// By what each strip's last element is heated beyond what it resolves, and a factor for all.
+/// Unresolved dissipation: by what each strip's last element is heated beyond what it resolves, and a factor for
+/// all.
 #[derive(Debug, Clone)]
 pub(super) struct Unresolved {
     last: Vec<f64>,

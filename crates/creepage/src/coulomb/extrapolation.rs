@@ -39,10 +39,10 @@ const UNFITTED: [f64; 3] = [1.0, 2.5, 6.0];
 const SLOWER: [[f64; 3]; 2] = [[0.1, 0.0, 0.0], [-0.25; 3]];
 /// Of `kappa/mu`, where bodies go from like to dissimilar.
 const DISSIMILAR: f64 = 0.3;
-/// Least part of a component's difference between the grids, and of the largest such difference:
-/// where errors do not fall as fast as they should.
-const LEAST: [f64; 2] = [0.2, 0.05];
-/// How much more of the first that is as creepage vanishes: the traction of adhesion is infinite along
+/// Lower bounds of the error bar, as fractions of the component's own and of the largest difference between the
+/// grids: errors may fall more slowly than the extrapolation takes them to.
+const MIN_ERROR_FRACTION: [f64; 2] = [0.2, 0.05];
+/// Increase of the first of these fractions as creepage vanishes: the traction of adhesion is infinite along
 /// the trailing edge, and errors fall more slowly than with the square of the elements' size.
 const ADHERING: f64 = 0.6;
 /// Least bars of `fx`, `fy` and `mz` at 400 elements as creepage vanishes, of the largest of the force: slip is narrower
@@ -55,8 +55,7 @@ const NARROW: [f64; 3] = [0.7, 0.6, 1.2];
 /// Part of the largest such difference that counts for each component: it may agree by chance.
 const CHANCE: f64 = 0.05;
 
-/// Of the difference between two grids, how much is added to the finer's force, and how wrong that
-/// is.
+/// Richardson factors of the difference between two grids, and the error bar.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Extrapolation {
     /// Of `fx`, `fy` and `mz`.
@@ -90,8 +89,8 @@ impl Extrapolation {
         Self { beyond, pole, bars: [0, 1, 2].map(bar), longer }
     }
 
-    /// The force of a coarser and of a finer grid in steady rolling, extrapolated as far as friction goes:
-    /// what is nearest within `mu N` is nearer to the true force too, wherever that is within.
+    /// The extrapolated force of a coarser and a finer grid in steady rolling, projected on `|f| <= mu N`: that
+    /// cannot increase the error.
     pub(crate) fn force(&self, forces: [Force; 2]) -> Force {
         let force = self.unbounded(forces);
         let size = force.fx.hypot(force.fy).max(1.0);
@@ -109,13 +108,13 @@ impl Extrapolation {
         let (size, most) = (largest(fine), largest(apart));
         let elements = elements as f64;
         let narrow = size * (1.0 - size).max(0.0) * (400.0 / elements).powf(1.5) / 400.0;
-        let least = LEAST[0] + ADHERING * (1.0 - size).max(0.0).powi(4);
+        let least = MIN_ERROR_FRACTION[0] + ADHERING * (1.0 - size).max(0.0).powi(4);
         combine(apart, apart, |k, own, _| {
             let scale = (size * (own + CHANCE * most).sqrt()).sqrt() / elements;
             let [alike, unlike] =
                 [0, 1].map(|i| self.bars[k][i] * (elements / 400.0).powf(SLOWER[i][k]));
             let from_scale = ((alike + unlike) * scale).max(NARROW[k] * narrow);
-            self.longer[k] * from_scale.max(least * own).max(LEAST[1] * most)
+            self.longer[k] * from_scale.max(least * own).max(MIN_ERROR_FRACTION[1] * most)
         })
     }
 

@@ -5,7 +5,7 @@ use super::solver::State;
 use super::stick_slip_boundary::Borders;
 use crate::theory::{FieldPoint, Region};
 
-/// What happens in one element.
+/// Traction, slip and state of one element.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ElementField {
     /// Traction at the centroid of the pressure, and slip, by Coulomb's law of the element as a whole.

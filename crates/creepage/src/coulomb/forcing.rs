@@ -1,4 +1,4 @@
-//! What drives the slip: creepage, spin and, between dissimilar bodies, the pressure (6.4).
+//! Slip forcing: creepage, spin and, between dissimilar bodies, the pressure (6.4).
 //!
 //! The pressure's part has a closed form. By (2.11a,b) `u - iv`, as a function of `z = x + iy`, is
 //! the plane field of attraction of a mass of density `Z`, times `-kappa / (pi G)`. Newton's shells
@@ -28,9 +28,9 @@ pub(crate) struct SlipForcing {
     pub slip: Vec<[f64; 2]>,
     /// The spin in it, for positions between the elements.
     pub spin: f64,
-    /// How adhesion of each element gives way, and the derivative of that by the spin; none where it does
-    /// not: [`super::turning`].
-    pub give: Vec<[f64; 2]>,
+    /// Compliance of each element's adhesion, and its derivative by the spin; empty where adhesion is rigid:
+    /// [`super::spin_pole`].
+    pub compliance: Vec<[f64; 2]>,
 }
 
 impl SlipForcing {
@@ -60,13 +60,13 @@ impl SlipForcing {
     /// No slip.
     pub(crate) fn clear(&mut self) {
         self.slip.fill([0.0; 2]);
-        self.give.clear();
+        self.compliance.clear();
         self.spin = 0.0;
     }
 
     /// How adhesion of an element gives way, and the derivative of that by the spin.
     pub(crate) fn spin_compliance(&self, element: usize) -> [f64; 2] {
-        self.give.get(element).copied().unwrap_or_default()
+        self.compliance.get(element).copied().unwrap_or_default()
     }
 
     /// The largest slip.

@@ -1,10 +1,10 @@
-//! The law of Coulomb as a projection: a traction (over its bound) and a slip obey it when the
-//! traction plus a positive multiple of the slip projects on the unit disc as that traction.
+//! Coulomb's law as a projection: a traction (over its bound) and a slip obey it when the traction plus a positive
+//! multiple of the slip projects on the unit disc as that traction.
 //!
 //! An element that changes between adhesion and slip bends the force as a function of creepage.
 //! So the solver rounds the projection's corner, over a width that shrinks with the elements.
 
-/// How the corner of the projection is rounded, and over which half-width.
+/// Rounding of the projection's corner, and its half-width.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) enum Regularization {
     #[default]
@@ -87,18 +87,18 @@ pub(crate) fn project(trial: [f64; 2], corner: Regularization) -> Option<Sliding
     })
 }
 
-/// The same on a disc of radius `limit`, greater than zero, where adhesion leaves a slip of `give` times
-/// the traction over the weight: the solution then is `weight * slip = give * traction` below the bound.
+/// The same on a disc of radius `limit`, greater than zero, where adhesion leaves a slip of `compliance` times
+/// the traction over the weight: the solution then is `weight * slip = compliance * traction` below the bound.
 pub(crate) fn project_within(
     limit: f64,
-    give: f64,
+    compliance: f64,
     trial: [f64; 2],
     corner: Regularization,
 ) -> Option<Sliding> {
-    let part = 1.0 / (1.0 + give);
+    let part = 1.0 / (1.0 + compliance);
     let shared = trial.map(|t| part * t / limit);
     let sliding = match project(shared, corner) {
-        None if give > 0.0 => held(shared),
+        None if compliance > 0.0 => held(shared),
         sliding => sliding?,
     };
     Some(Sliding {
@@ -111,12 +111,12 @@ pub(crate) fn project_within(
 /// The change of the same projection with the half-width of its corner.
 pub(crate) fn by_half_width(
     limit: f64,
-    give: f64,
+    compliance: f64,
     trial: [f64; 2],
     corner: Regularization,
 ) -> [f64; 2] {
     let size = trial[0].hypot(trial[1]);
-    let change = limit * corner.by_half_width(size / (limit * (1.0 + give)));
+    let change = limit * corner.by_half_width(size / (limit * (1.0 + compliance)));
     if change == 0.0 { [0.0; 2] } else { trial.map(|t| change * t / size) }
 }
 
@@ -163,9 +163,9 @@ mod tests {
     /// that is left goes with the traction.
     #[test]
     fn adhesion_that_gives_way_is_a_smooth_law_too() {
-        let (h, limit, give, corner) = (1e-6, 0.8, 0.3, Regularization::Unbiased(0.1));
+        let (h, limit, compliance, corner) = (1e-6, 0.8, 0.3, Regularization::Unbiased(0.1));
         for trial in [[0.4, -0.3], [0.8, -0.62], [1.2, -0.7]] {
-            let at = |trial| project_within(limit, give, trial, corner).unwrap();
+            let at = |trial| project_within(limit, compliance, trial, corner).unwrap();
             let found = at(trial);
             for k in 0..2 {
                 let moved = |h: f64| [0, 1].map(|i| trial[i] + if i == k { h } else { 0.0 });
@@ -175,7 +175,7 @@ mod tests {
                     assert!((numeric - found.derivative[row][k]).abs() < 1e-9);
                 }
                 let slip = trial[k] - found.traction[k];
-                assert!(!found.holds || (slip - give * found.traction[k]).abs() < 1e-15);
+                assert!(!found.holds || (slip - compliance * found.traction[k]).abs() < 1e-15);
             }
         }
         assert!(project_within(limit, 0.0, [0.4, -0.3], corner).is_none());
@@ -184,14 +184,14 @@ mod tests {
     /// Central differences of step 1e-6, below the corner, in it and beyond.
     #[test]
     fn the_projection_changes_with_the_width_of_its_corner() {
-        let (h, limit, give) = (1e-6, 0.8, 0.3);
+        let (h, limit, compliance) = (1e-6, 0.8, 0.3);
         for corner in [Regularization::Unbiased, Regularization::Monotone] {
             for trial in [[0.4, -0.3], [0.8, -0.62], [0.85, -0.62], [1.2, -0.7], [0.0, 0.0]] {
                 let at = |half_width| {
-                    project_within(limit, give, trial, corner(half_width)).unwrap().traction
+                    project_within(limit, compliance, trial, corner(half_width)).unwrap().traction
                 };
                 let [ahead, behind] = [0.1 + h, 0.1 - h].map(at);
-                let found = by_half_width(limit, give, trial, corner(0.1));
+                let found = by_half_width(limit, compliance, trial, corner(0.1));
                 for k in 0..2 {
                     let numeric = (ahead[k] - behind[k]) / (2.0 * h);
                     assert!((numeric - found[k]).abs() < 1e-9, "{trial:?} {numeric} {found:?}");

@@ -9,7 +9,7 @@ use crate::friction_law::{RollingFriction, Thermal};
 use crate::layer::{Layer, Plasticity};
 
 /// Least of the bound that is ever left, over that at rest: tractions are divided by it.
-pub(crate) const LEAST: f64 = 1e-6;
+pub(crate) const MIN_BOUND: f64 = 1e-6;
 
 /// The law of friction and the yield of the layer, prepared for the elements of a mesh.
 #[derive(Debug, Clone)]
@@ -26,7 +26,7 @@ pub(crate) struct FrictionBound {
     arriving: Vec<Arriving>,
 }
 
-/// The present size of the contact, and how it moves.
+/// Present size of the contact, and its motion.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Moment {
     /// Size over that of the units.
@@ -87,7 +87,7 @@ impl FrictionBound {
         let falling = self.friction.filter(RollingFriction::falls);
         // By temperature one solution is all: what heats is behind, not at, the place that it cools down.
         let falling = falling.filter(|friction| friction.thermal().is_none());
-        falling.map(|friction| friction.lowest().max(LEAST))
+        falling.map(|friction| friction.lowest().max(MIN_BOUND))
     }
 
     /// Whether a layer yields, which may answer a step by a larger one back.
@@ -140,7 +140,7 @@ impl FrictionBound {
                 let [before, moved] = self.plastic_at(element, [plastic, last], slip);
                 let yields = self.yield_bound(moved) / (self.moment.size * bounds[element]);
                 plastic = if yields < share * friction { moved } else { before };
-                put(element, (share * friction).min(yields).clamp(LEAST, 1.0), plastic);
+                put(element, (share * friction).min(yields).clamp(MIN_BOUND, 1.0), plastic);
                 last = slip;
             }
         }
@@ -175,7 +175,7 @@ impl FrictionBound {
                 let gain = unit * heat * root(high) / largest;
                 let friction = law.heated(touching + unit * rise, gain) / largest;
                 let yields = self.yield_bound(0.0) / bounds[element];
-                limits[element] = friction.min(yields).clamp(LEAST, 1.0);
+                limits[element] = friction.min(yields).clamp(MIN_BOUND, 1.0);
                 ahead.push([low, high, limits[element] * heat]);
             }
         }

@@ -1,5 +1,5 @@
-//! One resolution, prepared: elements, their pressure, and the slip of each by the traction of
-//! every other.
+//! Grid of one resolution: elements, their pressure, and the influence of the traction of each on the slip of every
+//! other.
 
 use super::forcing::{self, SlipForcing};
 use super::friction_bound::FrictionBound;
@@ -14,10 +14,10 @@ use crate::friction_law::RollingFriction;
 use crate::layer::Layer;
 use crate::{Creepage, Scaling};
 
-/// Of the traction that an element's own slip asks for.
+/// Weight `r` of slip in the projection, as a fraction of the traction per slip of an element alone.
 const WEIGHT: f64 = 0.3;
-/// Half-width of the rounded corner of Coulomb's law, in parts of the traction bound: times the number
-/// of elements along, by which traction changes from one to the next, and at most.
+/// Regularization half-width over the traction bound, `min(4/n, 0.15)` with `n` elements along: the traction changes
+/// by some `1/n` from one element to the next.
 const ROUNDING: [f64; 2] = [4.0, 0.15];
 
 /// Everything that is prepared for one resolution.
@@ -42,7 +42,7 @@ pub(crate) struct Grid {
     /// Half-width of the rounded corner of [`project`](super::friction::project).
     pub rounding: f64,
     /// Whether less of it is left at strong spin.
-    pub narrows: bool,
+    pub spin_narrowing: bool,
     /// Whether the contact is so long that the corner is narrow and monotone. Not on areas of any shape: they
     /// may become long as a wheelset moves, and forces must not jump.
     pub is_long: bool,
@@ -60,7 +60,7 @@ impl Grid {
     pub(crate) fn pair(make: impl Fn(usize) -> Self) -> [Self; 2] {
         let [mut coarse, mut fine] = [1, 2].map(make);
         coarse.rounding = 2.0 * fine.rounding;
-        (coarse.narrows, fine.narrows) = (true, true);
+        (coarse.spin_narrowing, fine.spin_narrowing) = (true, true);
         let strips = fine.mesh.strips.iter().enumerate();
         fine.coarser = strips
             .flat_map(|(j, strip)| {
@@ -107,7 +107,7 @@ impl Grid {
             quadrature: Quadrature::new(&mesh, &pressure, &places),
             places,
             rounding: (ROUNDING[0] * mesh.strips.len() as f64 / mesh.len() as f64).min(ROUNDING[1]),
-            narrows: false,
+            spin_narrowing: false,
             is_long: false,
             coarser: Vec::new(),
             half_widths: Vec::new(),
@@ -174,7 +174,7 @@ impl Grid {
 
     /// The part of [`Grid::rounding`] that is left at a spin, and its derivative.
     pub(crate) fn corner(&self, spin: f64) -> [f64; 2] {
-        if self.narrows { spin_pole::corner(spin) } else { [1.0, 0.0] }
+        if self.spin_narrowing { spin_pole::corner(spin) } else { [1.0, 0.0] }
     }
 
     /// Sets what drives the slip; `side` is the sign of the pressure's part.

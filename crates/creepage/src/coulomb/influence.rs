@@ -1,4 +1,4 @@
-//! The elastic slip of every element by the traction of every other.
+//! Influence matrix: the elastic slip of every element by the traction of every other.
 //!
 //! What is kept are the steps of displacement along each strip: those of the rear half are, in mirrored order,
 //! the steps of the front half where the contact is its own mirror image fore and aft, and those of the
@@ -22,7 +22,7 @@ pub(crate) use points::Displacements;
 use strip_points::StripPoints;
 pub(crate) use tractions::Tractions;
 
-/// How precisely slip is needed: sweeps only come near a solution, at twice the speed.
+/// Precision of slip: sweeps only come near a solution, at twice the speed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) enum Precision {
     #[default]

@@ -1,4 +1,4 @@
-//! The inverse problem: any three of the six quantities in, the other three out.
+//! Inverse problem by Newton's method: any three of the six quantities in, the other three out.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -11,7 +11,8 @@ use crate::{Creepage, Solution};
 /// Largest difference from a prescribed force, in parts of `mu N`; the forces themselves are solved
 /// to some 5e-8.
 const TOLERANCE: f64 = 1e-7;
-const STEPS: usize = 60;
+/// Newton steps towards prescribed forces.
+const MAX_NEWTON_STEPS: usize = 60;
 /// What may be left where Newton's method stagnates, in parts of the force's error bar.
 const SMALL_BESIDE_BAR: f64 = 0.05;
 /// Creepage beyond which a force has come as near to saturation as it will, over its scale.
@@ -86,7 +87,7 @@ pub(crate) fn search<T: Resolve>(
 ) -> Result<(T, usize), InverseError> {
     let problem = Problem::new(constraints, scale)?;
     let (mut solved, mut taken) = (solve(problem.start), 0);
-    for steps in 0..STEPS {
+    for steps in 0..MAX_NEWTON_STEPS {
         taken = steps;
         if problem.is_solved(&solved) {
             return Ok((solved, steps));

@@ -1,4 +1,4 @@
-//! The mesh: strips along the rolling direction, each cut into elements along its own length.
+//! Mesh of an ellipse: strips along the rolling direction, each cut into elements along its own length.
 //!
 //! A strip has its own ends, borders and number of elements. An element is a quadrilateral between
 //! the cuts of its strip's two borders, for the ends of a strip are not the same on both:
@@ -174,15 +174,17 @@ impl Mesh {
     /// each element.
     pub(crate) fn is_like_reversed(&self, of_elements: &[f64]) -> bool {
         /// Of a half-length, or of the largest that is given: rounding.
-        const LEAST: f64 = 1e-11;
+        const SYMMETRY_TOLERANCE: f64 = 1e-11;
         let largest = of_elements.iter().fold(0.0, |most: f64, of| most.max(of.abs()));
         let axis = self.strips.first().map_or(0.0, |strip| strip.middle[0]);
         self.strips.iter().zip(self.offsets.windows(2)).all(|(strip, ends)| {
             let own = &of_elements[ends[0]..ends[1]];
-            let centred =
-                |end: usize| (strip.middle[end] - axis).abs() <= LEAST * strip.half_length[end];
-            let opposite = |(one, other): (&f64, &f64)| (one + other).abs() <= LEAST;
-            let like = |(one, other): (&f64, &f64)| (one - other).abs() <= LEAST * largest;
+            let centred = |end: usize| {
+                (strip.middle[end] - axis).abs() <= SYMMETRY_TOLERANCE * strip.half_length[end]
+            };
+            let opposite = |(one, other): (&f64, &f64)| (one + other).abs() <= SYMMETRY_TOLERANCE;
+            let like =
+                |(one, other): (&f64, &f64)| (one - other).abs() <= SYMMETRY_TOLERANCE * largest;
             centred(0)
                 && centred(1)
                 && strip.along.cuts.iter().zip(strip.along.cuts.iter().rev()).all(opposite)

@@ -1,4 +1,4 @@
-//! The full theory on contact areas of any shape.
+//! Full theory on contact areas of any shape: extrapolation from two grids, with warm starts.
 
 use std::sync::Arc;
 
@@ -27,7 +27,7 @@ use crate::theory::{
 use crate::{Creepage, Force, Scaling};
 
 /// Change of the creepage to differentiate by, where friction depends on the slip.
-const STEP: f64 = 1e-4;
+const CREEPAGE_STEP: f64 = 1e-4;
 
 /// The full theory of steady rolling, prepared for a contact of any shape: one or more areas, all
 /// in one half-space.
@@ -317,7 +317,7 @@ impl<'a> NonHertzianSolved<'a> {
     /// solution from nothing, for it starts from these tractions, and the same to the solver's
     /// tolerance. Where friction depends on the slip and several solutions exist, it may stay
     /// with this one.
-    pub fn go_on(&mut self, creepage: Creepage, more: impl Fn([f64; 2]) -> [f64; 2]) {
+    pub fn resolve_at(&mut self, creepage: Creepage, more: impl Fn([f64; 2]) -> [f64; 2]) {
         let theory = self.theory;
         (self.creepage, self.more) = (creepage, theory.slips(more));
         let (room, more) = (&mut self.workspace, &self.more);
@@ -405,7 +405,7 @@ impl Solved for NonHertzianSolved<'_> {
         let theory = self.theory;
         if theory.grids[1].resistance.is_some() {
             let force = |creepage| self.resolve(creepage).answer.solution.force.components();
-            return Some(differences(self.creepage, STEP, force));
+            return Some(differences(self.creepage, CREEPAGE_STEP, force));
         }
         let forces = self.workspace.sums(&theory.grids, 0.0).map(|sum| sum.force);
         let by = self.workspace.derivatives(&theory.grids);

@@ -13,7 +13,7 @@ use crate::normal::{Band, ChordPoint, NormalContact, Patch, SLIP_UNIT};
 use crate::numerics::gauss::GAUSS_2;
 
 /// Least pressure over the largest: tractions are unknown over their bound, which must not vanish.
-const LEAST: f64 = 1e-4;
+const MIN_PRESSURE: f64 = 1e-4;
 /// Least half-length over the unit of length: an element must not vanish, as near a tip where the
 /// ends of a band cross.
 const LEAST_LENGTH: f64 = 1e-3;
@@ -174,7 +174,7 @@ impl<'a> Bands<'a> {
             let [x, y] = self.frame.inward([line.centre, y]);
             (half * length, [x, length / self.frame.length, y], line)
         });
-        let least = LEAST * self.contact.peak_pressure().value;
+        let least = MIN_PRESSURE * self.contact.peak_pressure().value;
         let cell = |nodes: &[Node; 2]| {
             let mut sum = Cell::default();
             for (area, [x, length, y], line) in &lines {

@@ -1,4 +1,4 @@
-//! How the pressure spreads the traction bound and the normal load over the elements.
+//! Pressure of the elements: how it spreads the traction bound and the normal load over them.
 
 use std::f64::consts::PI;
 
@@ -43,7 +43,7 @@ impl Pressure {
             centroids: Vec::with_capacity(n),
             subcells: Vec::with_capacity(n),
         };
-        let mut along = Along::default();
+        let mut along = StripLoad::default();
         for strip in &mesh.strips {
             along.update(strip);
             let y = strip.across.map(|y| (y / ellipse.b()).clamp(-1.0, 1.0));
@@ -65,7 +65,7 @@ impl Pressure {
     /// The unit of each element's traction, its bound, that makes displacements by [`Cuts`] slip;
     /// `slip_unit` is the unit of slip over the largest bound in units of `G`.
     ///
-    /// [`Cuts`]: super::cuts::Cuts
+    /// [`Cuts`]: super::boussinesq_cerruti::Cuts
     pub(crate) fn units(&self, slip_unit: f64) -> Vec<f64> {
         let scale = 1.0 / (PI * slip_unit);
         self.bounds.iter().map(|bound| scale * bound).collect()
@@ -104,13 +104,13 @@ fn product(ellipse: Ellipse, across: Part, along: Part) -> Moments {
 
 /// The load along a strip; the next one is cut alike as a rule.
 #[derive(Default)]
-struct Along {
+struct StripLoad {
     cuts: Vec<f64>,
     elements: Vec<Part>,
     subcells: Vec<Part>,
 }
 
-impl Along {
+impl StripLoad {
     fn update(&mut self, strip: &Strip) {
         if self.cuts != strip.along.cuts {
             self.cuts.clone_from(&strip.along.cuts);

@@ -90,7 +90,7 @@ impl Fields<'_> {
     }
 }
 
-/// What the tractions of a grid add up to.
+/// Force, moment and power of a grid's tractions.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Sum {
     pub force: Force,

@@ -71,7 +71,7 @@ impl Mirror {
 }
 
 /// Change of the creepage to differentiate by, where friction depends on the slip.
-const STEP: f64 = 1e-4;
+const CREEPAGE_STEP: f64 = 1e-4;
 
 /// What a solve gives.
 #[derive(Debug, Clone, Copy)]
@@ -126,7 +126,7 @@ impl Answer {
 
     /// The derivative where the bounds follow the slip, by differences of solutions.
     fn differences(&self, exact: &Exact, workspace: &Workspace) -> Jacobian {
-        differences(self.creepage, STEP, |creepage| {
+        differences(self.creepage, CREEPAGE_STEP, |creepage| {
             // Another mirror image would be a start from the wrong side.
             let warm = Mirror::in_contact(&exact.contact, creepage) == self.mirror;
             let answer = Self::new(exact, &mut workspace.clone(), creepage, warm);

@@ -14,9 +14,8 @@ use super::forcing::SlipForcing;
 /// random cases against 96 x 80 elements, confirmed on 250 others.
 const LEFT: f64 = 0.6;
 
-/// By which part the rounded corner of Coulomb's law is narrower at strong spin, and how strong that is: adhesion
-/// at the pole vanishes at once as spin grows, and a wide corner keeps some. At weak spin its width keeps
-/// forces smooth. Chosen on 500 random cases against 96 x 80 elements and 50 lines of creepage.
+/// Fraction by which strong spin narrows the regularization, and the spin that counts as strong: adhesion at the pole
+/// vanishes at once as spin grows, and a wide regularization keeps some. At weak spin its width keeps forces smooth. Chosen on 500 random cases against 96 x 80 elements and 50 lines of creepage.
 const NARROWER: [f64; 2] = [0.4, 1.0];
 
 /// The part of the corner's width that is left at a spin, and its derivative.
@@ -30,8 +29,8 @@ pub(super) fn corner(spin: f64) -> [f64; 2] {
 /// Sets how adhesion gives way, in parts of each element's weight of slip.
 pub(super) fn set_give(half_widths: &[f64], weights: &[f64], forcing: &mut SlipForcing) {
     let spin = forcing.spin;
-    forcing.give.clear();
-    forcing.give.extend(half_widths.iter().zip(weights).map(|(half_width, weight)| {
+    forcing.compliance.clear();
+    forcing.compliance.extend(half_widths.iter().zip(weights).map(|(half_width, weight)| {
         let turned = (spin * half_width).abs();
         let resolved = 1.0 / (1.0 + turned * turned);
         let slip = turned * turned * resolved;

@@ -17,7 +17,7 @@ const BEGINS: [f64; 2] = [1.75, 0.12];
 /// Largest distance by which the end of slip is extrapolated beyond an element's middle, in elements.
 const REACH: f64 = 1.5;
 /// Least distance from adhesion in a strip that slides all along, in elements.
-const NEAR: f64 = 0.1;
+const MIN_DISTANCE: f64 = 0.1;
 
 /// The areas of adhesion of every strip.
 #[derive(Debug, Clone)]
@@ -68,7 +68,7 @@ impl Borders {
             .iter()
             .map(|[near, far]| 2.0 * self.strips[*near].beyond(x) - self.strips[*far].beyond(x));
         match extrapolated.reduce(f64::min) {
-            Some(beyond) => beyond.max(NEAR * own.element),
+            Some(beyond) => beyond.max(MIN_DISTANCE * own.element),
             None => own.beyond(x),
         }
     }

@@ -1,4 +1,4 @@
-//! Buffers of one case on two grids, and a pool of them.
+//! Workspace of one case: buffers on two grids, and a pool of them.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -10,12 +10,12 @@ use super::solver::{Equations, Outcome, State};
 use crate::Force;
 use crate::theory::{Solution, Statistics, Status};
 
-/// Forces of two solutions at one creepage differ by more, in parts of `mu N`.
+/// Two solutions at one creepage are distinct if their forces differ by more than this part of `mu N`.
 const DISTINCT_FORCES: f64 = 1e-3;
 
-/// The state of one grid.
+/// State of one grid.
 #[derive(Debug, Clone, Default)]
-struct Level {
+struct GridState {
     state: State,
     equations: Equations,
     outcome: Outcome,
@@ -24,12 +24,12 @@ struct Level {
 /// The states of the coarser and the finer grid.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Workspace {
-    levels: [Level; 2],
+    levels: [GridState; 2],
 }
 
 impl Workspace {
     fn new(grids: &[Grid; 2]) -> Self {
-        let level = |grid: &Grid| Level {
+        let level = |grid: &Grid| GridState {
             state: State::new(grid),
             equations: Equations::new(grid),
             outcome: Outcome::default(),
@@ -78,7 +78,7 @@ impl Workspace {
         let Some(lowest) = grids[0].resistance.as_ref().and_then(FrictionBound::lowest) else {
             return false;
         };
-        let Level { mut state, mut equations, .. } = self.levels[0].clone();
+        let GridState { mut state, mut equations, .. } = self.levels[0].clone();
         state.reset_to(lowest);
         if !state.solve(&grids[0], &mut equations).converged {
             return false;

@@ -1,4 +1,4 @@
-//! Archard's wear, with a coefficient by pressure and speed of slip.
+//! Archard's wear law, with a coefficient by pressure and speed of slip.
 
 use super::ElementState;
 
@@ -37,7 +37,7 @@ impl Default for Archard {
     }
 }
 
-/// A part of the map.
+/// Zone of the wear map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum WearZone {
     /// Slow slip: an oxide layer protects.

@@ -1,5 +1,5 @@
-//! The smallest ball around the states of stress of a passage: the heart of Melan's and Dang Van's
-//! criteria.
+//! Smallest enclosing ball of the states of stress of a passage, by Frank and Wolfe's method: the heart of Melan's and
+//! Dang Van's criteria.
 //!
 //! In the coordinates of [`coordinates`] the distance of two states is von Mises's stress of their
 //! difference. A residual stress moves the centre, along the first `FREE` coordinates only. The dual of
@@ -45,7 +45,7 @@ pub(super) struct Ball {
     pub radius: f64,
 }
 
-const STEPS: usize = 1000;
+const MAX_FRANK_WOLFE_STEPS: usize = 1000;
 
 /// The smallest ball around `states` whose centre has zeros beyond its first `free` coordinates.
 pub(super) fn smallest(states: &[Deviator], free: usize) -> Ball {
@@ -54,7 +54,7 @@ pub(super) fn smallest(states: &[Deviator], free: usize) -> Ball {
     let Some(first) = farthest(states, centre) else { return Ball { centre, radius: 0.0 } };
     weights[first] = 1.0;
     centre[..free].copy_from_slice(&states[first][..free]);
-    for _ in 0..STEPS {
+    for _ in 0..MAX_FRANK_WOLFE_STEPS {
         let value: f64 = sum_of_squares(states, &weights, centre);
         let Some(far) = farthest(states, centre) else { break };
         let Some(near) = nearest(states, &weights, centre) else { break };

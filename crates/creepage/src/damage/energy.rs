@@ -1,4 +1,4 @@
-//! The energy that friction takes per metre rolled.
+//! Frictional energy per metre rolled, of a contact and of the rows of its elements.
 
 use crate::{SiCreepage, SiForce};
 
@@ -43,7 +43,7 @@ impl TGamma {
     }
 }
 
-/// What happens in one element of a contact.
+/// Traction, slip and pressure of one element of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ElementState {
     /// Mean pressure (Pa).
@@ -58,7 +58,7 @@ pub struct ElementState {
     pub length: f64,
 }
 
-/// The elements through which the material at one place across runs, from the leading edge or to it.
+/// Row of elements through which the material at one place across runs, from the leading edge or to it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Row {
     /// Place across, `y` (m).

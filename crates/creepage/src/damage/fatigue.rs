@@ -1,4 +1,4 @@
-//! Rolling contact fatigue by the forces of a contact.
+//! Rolling contact fatigue numbers by the forces of a contact.
 
 use std::f64::consts::PI;
 

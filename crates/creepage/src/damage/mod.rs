@@ -1,4 +1,4 @@
-//! What the forces do: wear and fatigue numbers in the forms that engineers compare.
+//! Wear and fatigue numbers, in the forms that engineers compare.
 //!
 //! Each number starts from forces and creepages of the whole contact, from the state of each element
 //! of it ([`ElementState`]), or from the elastic stresses below it ([`shakedown`]). All quantities are

@@ -1,4 +1,4 @@
-//! The stresses that a material point sees while the contact passes.
+//! Passage of a contact: the stresses that a material point sees while it goes by.
 
 use super::ball;
 use crate::check::{self, InvalidValue};

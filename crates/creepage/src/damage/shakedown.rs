@@ -1,4 +1,4 @@
-//! A shakedown limit for the contact at hand: Melan's lower bound.
+//! Shakedown limit of the contact at hand: Melan's lower bound.
 //!
 //! The body shakes down if some residual stress in equilibrium, constant in time, keeps every elastic
 //! state of the passage within the yield limit. Where the contact rolls along `x`, residual stresses
@@ -17,7 +17,7 @@ use super::passage::Passage;
 use crate::check::{self, InvalidValue};
 use crate::subsurface::Interior;
 
-/// Where the limit is looked for.
+/// Block of the body in which the limit is sought.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShakedownBlock {
     /// Half the length and half the width of the contact.
@@ -43,7 +43,7 @@ impl ShakedownBlock {
     }
 }
 
-/// The limit, by the place that governs.
+/// Shakedown limit, by the place that governs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shakedown {
     /// Von Mises's stress over the passage with the best residual stress (Pa).

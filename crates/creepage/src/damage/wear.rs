@@ -1,4 +1,4 @@
-//! Wear by the energy that friction takes.
+//! Wear laws by the frictional energy.
 
 /// N/m2 in N/mm2.
 const PER_MM2: f64 = 1e-6;

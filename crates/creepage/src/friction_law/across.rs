@@ -1,4 +1,4 @@
-//! Friction that differs from place to place across the contact.
+//! Coefficient of friction that varies across the contact.
 
 use crate::check::{self, InvalidValue};
 

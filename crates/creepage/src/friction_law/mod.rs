@@ -23,13 +23,11 @@
 //! ```
 
 mod across;
-mod memory;
 mod rolling;
 mod thermal;
 
 pub use across::FrictionAcross;
-pub use memory::FrictionMemory;
-pub use rolling::RollingFriction;
+pub use rolling::{FrictionMemory, RollingFriction};
 pub use thermal::FrictionByTemperature;
 pub(crate) use thermal::Thermal;
 
@@ -37,7 +35,7 @@ use std::f64::consts::LN_2;
 
 use crate::check::{self, InvalidValue};
 
-/// How the terms of a law fall with the speed of slip.
+/// Shape of a law's terms over the speed of slip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Shape {
     /// `2^(-s/s_i)`.

@@ -1,6 +1,6 @@
-//! A law of friction in a contact that rolls.
+//! Friction law of a rolling contact: by slip at a given speed and with a memory, by place, or by temperature.
 
-use super::{FrictionAcross, FrictionByTemperature, FrictionLaw, FrictionMemory, Thermal};
+use super::{FrictionAcross, FrictionByTemperature, FrictionLaw, Thermal};
 use crate::check::{self, InvalidValue};
 use crate::temperature::HeatedPair;
 
@@ -12,12 +12,12 @@ pub struct RollingFriction {
     law: FrictionLaw,
     memory: Option<FrictionMemory>,
     speed: f64,
-    by: By,
+    by: Dependence,
 }
 
-/// What else friction depends on.
+/// Further variable on which friction depends.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum By {
+enum Dependence {
     Nothing,
     Place(FrictionAcross),
     Temperature(Thermal),
@@ -34,7 +34,7 @@ impl RollingFriction {
         speed: f64,
     ) -> Result<Self, InvalidValue> {
         check::positive("speed", speed)?;
-        Ok(Self { law, memory, speed, by: By::Nothing })
+        Ok(Self { law, memory, speed, by: Dependence::Nothing })
     }
 
     /// Friction that differs across the contact, at any speed.
@@ -43,7 +43,7 @@ impl RollingFriction {
     /// None that [`FrictionAcross::new`] lets pass.
     pub fn across(across: FrictionAcross) -> Result<Self, InvalidValue> {
         let law = FrictionLaw::constant(across.largest())?;
-        Ok(Self { by: By::Place(across), ..Self::new(law, None, 1.0)? })
+        Ok(Self { by: Dependence::Place(across), ..Self::new(law, None, 1.0)? })
     }
 
     /// Friction that depends on the temperature of bodies that rub: `pair` with the speeds of their
@@ -59,7 +59,7 @@ impl RollingFriction {
     ) -> Result<Self, InvalidValue> {
         let law = FrictionLaw::constant(friction.largest())?;
         let (touching, weight) = (pair.touching(), pair.weight());
-        let by = By::Temperature(Thermal { law: friction, touching, weight });
+        let by = Dependence::Temperature(Thermal { law: friction, touching, weight });
         Ok(Self { by, ..Self::new(law, None, speed)? })
     }
 
@@ -72,7 +72,7 @@ impl RollingFriction {
     /// The same with the bodies that are heated.
     pub(crate) fn thermal(&self) -> Option<&Thermal> {
         match &self.by {
-            By::Temperature(thermal) => Some(thermal),
+            Dependence::Temperature(thermal) => Some(thermal),
             _ => None,
         }
     }
@@ -81,7 +81,7 @@ impl RollingFriction {
     #[must_use]
     pub fn by_place(&self) -> Option<FrictionAcross> {
         match self.by {
-            By::Place(across) => Some(across),
+            Dependence::Place(across) => Some(across),
             _ => None,
         }
     }
@@ -124,7 +124,9 @@ impl RollingFriction {
     /// The same seen from an origin at `y` (m).
     pub(crate) fn seen_from(self, y: f64) -> Self {
         match self.by {
-            By::Place(across) => Self { by: By::Place(across.seen_from(y)), ..self },
+            Dependence::Place(across) => {
+                Self { by: Dependence::Place(across.seen_from(y)), ..self }
+            }
             _ => self,
         }
     }
@@ -147,5 +149,49 @@ impl RollingFriction {
             Some(memory) => memory.step(&self.law, before * rest, speeds, distance / self.speed),
         };
         friction / rest
+    }
+}
+
+/// Friction does not follow the speed of slip at once, but over a distance of slip:
+/// `d mu/dt = (mu_law(s) - mu) max(s, s_0)/d`. Without it, friction that falls with the speed makes
+/// the traction jump.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrictionMemory {
+    distance: f64,
+    speed: f64,
+}
+
+impl FrictionMemory {
+    /// Memory over the distance of slip `distance` `d` (m), slip counting as `speed` `s_0` (m/s) at
+    /// least.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless both are finite and positive.
+    pub fn new(distance: f64, speed: f64) -> Result<Self, InvalidValue> {
+        check::positive("memory_distance", distance)?;
+        check::positive("memory_speed", speed)?;
+        Ok(Self { distance, speed })
+    }
+
+    /// The distance of slip `d` (m).
+    #[must_use]
+    pub fn distance(&self) -> f64 {
+        self.distance
+    }
+
+    /// The least speed that slip counts as, `s_0` (m/s).
+    #[must_use]
+    pub fn speed(&self) -> f64 {
+        self.speed
+    }
+
+    /// The friction after `time` (s), in which the speed of slip goes from the first to the second of
+    /// `speeds` (m/s), from `before`. Exact at constant speed, of second order in `time` otherwise.
+    #[must_use]
+    pub fn step(&self, law: &FrictionLaw, before: f64, speeds: [f64; 2], time: f64) -> f64 {
+        let rate = speeds.map(|speed| speed.max(self.speed) / self.distance);
+        let left = (-0.5 * time.max(0.0) * (rate[0] + rate[1])).exp();
+        let target = 0.5 * (law.at(speeds[0]) + law.at(speeds[1]));
+        left * before + (1.0 - left) * target
     }
 }

@@ -1,4 +1,4 @@
-//! Friction that depends on the temperature of the surfaces.
+//! Coefficient of friction that depends on the temperature of the surfaces.
 
 use crate::check::{self, InvalidValue};
 

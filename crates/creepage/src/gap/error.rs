@@ -1,8 +1,8 @@
-//! Why numbers do not describe an undeformed distance.
+//! Errors of an undeformed distance.
 
 use crate::check::InvalidValue;
 
-/// Why numbers do not describe an undeformed distance.
+/// Error of numbers that do not describe an undeformed distance.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GapError {

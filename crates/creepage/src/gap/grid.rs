@@ -1,4 +1,4 @@
-//! Values on a rectangular grid, between them products of cubics.
+//! Gap on a rectangular grid, interpolated by products of cubics.
 
 use super::cubic::{Cell, slopes};
 use super::error::{GapError, all_finite};

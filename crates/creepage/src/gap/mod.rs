@@ -1,5 +1,5 @@
-//! The undeformed distance `h(x, y)` of two bodies in the plane of contact: what Hertz takes as
-//! `A x^2 + B y^2`, here of any shape.
+//! Undeformed distance `h(x, y)` of two bodies in the plane of contact: what Hertz takes as `A x^2 + B y^2`, here of any
+//! shape.
 //!
 //! `x` is the rolling direction and `y` the direction across it; lengths are in metres. Pressed
 //! together by the approach `delta`, undeformed bodies would penetrate by `delta - h`, with `h`

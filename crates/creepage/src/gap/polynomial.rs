@@ -1,4 +1,4 @@
-//! A polynomial in x and y.
+//! Gap as a polynomial in x and y.
 
 use super::error::GapError;
 use crate::check;

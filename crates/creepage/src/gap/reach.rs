@@ -1,4 +1,4 @@
-//! A rectangle that holds every place where a gap is below some height.
+//! Bounding rectangle of the places where a gap is below some height.
 
 use super::polynomial::Polynomial;
 use super::section::Section;
@@ -107,18 +107,19 @@ fn reach_of_polynomial(polynomial: &Polynomial, height: f64) -> Option<Rectangle
 
 /// Whether the gap is below a height somewhere between a square and one of half its size.
 fn ring_is_below(polynomial: &Polynomial, half: f64, height: f64) -> bool {
-    const POINTS: i32 = 32;
-    let place = |i: i32| half * f64::from(i) / f64::from(POINTS);
-    let in_ring = |i: i32, j: i32| 2 * i.abs().max(j.abs()) >= POINTS;
-    (-POINTS..=POINTS).any(|i| {
-        (-POINTS..=POINTS).any(|j| in_ring(i, j) && polynomial.at(place(i), place(j)) < height)
+    const RING_STEPS: i32 = 32;
+    let place = |i: i32| half * f64::from(i) / f64::from(RING_STEPS);
+    let in_ring = |i: i32, j: i32| 2 * i.abs().max(j.abs()) >= RING_STEPS;
+    (-RING_STEPS..=RING_STEPS).any(|i| {
+        (-RING_STEPS..=RING_STEPS)
+            .any(|j| in_ring(i, j) && polynomial.at(place(i), place(j)) < height)
     })
 }
 
 fn perimeter_is_above(polynomial: &Polynomial, half: f64, height: f64) -> bool {
-    const POINTS: i32 = 48;
-    (-POINTS..=POINTS).all(|i| {
-        let t = half * f64::from(i) / f64::from(POINTS);
+    const SIDE_STEPS: i32 = 48;
+    (-SIDE_STEPS..=SIDE_STEPS).all(|i| {
+        let t = half * f64::from(i) / f64::from(SIDE_STEPS);
         [(half, t), (-half, t), (t, half), (t, -half)]
             .into_iter()
             .all(|(x, y)| polynomial.at(x, y) > height)

@@ -1,11 +1,11 @@
-//! A section across rolling, and a radius along it.
+//! Gap by a section across rolling, and a radius along it.
 
 use super::cubic::{Cell, Cubic};
 use super::error::{GapError, all_finite};
 use super::grid::Grid;
 use crate::check;
 
-/// How the gap opens along the rolling direction on either side of its locus.
+/// Shape of the gap along the rolling direction on either side of its locus.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rolling<'a> {
     /// One radius for all y: `h = h(y) + x^2 / (2 R)` (m).
@@ -23,13 +23,13 @@ pub enum Rolling<'a> {
 pub(super) struct Section {
     y: Vec<f64>,
     height: Cubic,
-    along: Along,
+    along: CurvatureAlong,
     /// What the gap has beyond its parabolas, over `x - x0` and y.
     excess: Option<Box<Grid>>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-enum Along {
+enum CurvatureAlong {
     Constant(f64),
     Varying { curvature: Cubic, locus: Option<Cubic> },
 }
@@ -46,7 +46,7 @@ impl Section {
         let curve = |values| Cubic::new(sorted_y.clone(), values);
         let along = match rolling {
             Rolling::Radius(radius) => {
-                Along::Constant(0.5 / check::positive("radius_rolling", radius)?)
+                CurvatureAlong::Constant(0.5 / check::positive("radius_rolling", radius)?)
             }
             Rolling::Varying { radius, locus } => {
                 for &radius in radius {
@@ -55,7 +55,7 @@ impl Section {
                 let radius = column("radius_rolling", radius)?;
                 let locus = (!locus.is_empty()).then(|| column("x", locus)).transpose()?;
                 let curvature = curve(radius.into_iter().map(|radius| 0.5 / radius).collect());
-                Along::Varying { curvature, locus: locus.map(curve) }
+                CurvatureAlong::Varying { curvature, locus: locus.map(curve) }
             }
         };
         Ok(Self { height: curve(height), y: sorted_y, along, excess: None })
@@ -108,8 +108,8 @@ impl Section {
         let cell = Cell::new(&self.y, y);
         let height = self.height.in_cell(&cell);
         match &self.along {
-            Along::Constant(half) => [height, *half, 0.0],
-            Along::Varying { curvature, locus } => {
+            CurvatureAlong::Constant(half) => [height, *half, 0.0],
+            CurvatureAlong::Varying { curvature, locus } => {
                 let locus = locus.as_ref().map_or(0.0, |locus| locus.in_cell(&cell));
                 [height, curvature.in_cell(&cell), locus]
             }
@@ -118,7 +118,7 @@ impl Section {
 
     pub(super) fn locus(&self, y: f64) -> f64 {
         match &self.along {
-            Along::Varying { locus: Some(locus), .. } => locus.at(y),
+            CurvatureAlong::Varying { locus: Some(locus), .. } => locus.at(y),
             _ => 0.0,
         }
     }
@@ -127,8 +127,8 @@ impl Section {
     pub(super) fn axis(&self) -> Option<f64> {
         match &self.along {
             _ if self.excess.is_some() => None,
-            Along::Constant(_) | Along::Varying { locus: None, .. } => Some(0.0),
-            Along::Varying { locus: Some(locus), .. } => locus.constant(),
+            CurvatureAlong::Constant(_) | CurvatureAlong::Varying { locus: None, .. } => Some(0.0),
+            CurvatureAlong::Varying { locus: Some(locus), .. } => locus.constant(),
         }
     }
 

@@ -1,4 +1,4 @@
-//! A gap seen in axes turned about a place.
+//! Gap in axes turned about a place.
 
 use super::{Gap, Rectangle};
 

@@ -1,4 +1,4 @@
-//! Displacement differences at any point of the surface.
+//! Displacement differences at any point of the surface, of one traction.
 //!
 //! Along a chord of the ellipse the mean of a harmonic, weighted by `(1 - r^2)^(-1/2)`, is
 //! `P_n(h) Y_nm(n)`: the chord lifts to half a small circle of the sphere, about the axis `n`

@@ -105,14 +105,14 @@ impl Lines {
 fn double_exponential() -> Vec<RuleNode> {
     // Beyond 3.2 steps the weights are below rounding; the step resolves poles at a distance
     // of 1e-6 from an end to eleven digits, and poles further off to rounding.
-    const STEP: f64 = 1.0 / 40.0;
+    const RULE_STEP: f64 = 1.0 / 40.0;
     const HALF: i32 = 128;
     (-HALF..=HALF)
         .map(|i| {
-            let t = STEP * f64::from(i);
+            let t = RULE_STEP * f64::from(i);
             let growth = (PI * t.sinh()).exp();
             let (from_left, from_right) = (growth / (1.0 + growth), 1.0 / (1.0 + growth));
-            let weight = STEP * PI * t.cosh() * from_left * from_right;
+            let weight = RULE_STEP * PI * t.cosh() * from_left * from_right;
             RuleNode { from_left, from_right, weight }
         })
         .collect()

@@ -62,7 +62,7 @@ pub use load_displacement::LoadDisplacement;
 pub use polynomial::{Polynomial, PolynomialError};
 pub use traction::{Edge, Resultants, Traction};
 
-/// Why the half-space gives no answer.
+/// Error of the half-space's response.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ResponseError {

@@ -5,7 +5,7 @@ use super::products::{self, Axis};
 use crate::check::{self, InvalidValue};
 use crate::ellipse::Ellipse;
 
-/// Why a list of numbers is no [`Polynomial`].
+/// Error of a list of numbers that is no [`Polynomial`].
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PolynomialError {

@@ -1,5 +1,5 @@
-//! What multiplication by `z`, `x/a`, `y/b` and the `x` derivative do to the coefficients of
-//! harmonics: recurrences of two or four terms, exact.
+//! Products of harmonics with `z`, `x/a`, `y/b`, and their `x` derivative, in coefficients: recurrences of two or four
+//! terms, exact.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 

@@ -6,7 +6,7 @@ use super::polynomial::{Polynomial, PolynomialError};
 use super::{harmonics, vanishing};
 use crate::ellipse::Ellipse;
 
-/// How a traction behaves at the edge of the contact, `r^2 = (x/a)^2 + (y/b)^2 = 1`.
+/// Asymptotic behaviour of a traction at the edge of the contact, `r^2 = (x/a)^2 + (y/b)^2 = 1`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Edge {
     /// `(1 - r^2)^(-1/2)` times a polynomial: chapter 2, contact without slip, sharp dies.

@@ -1,4 +1,4 @@
-//! The pressure along one line of a contact area: `a sqrt(1 - s^2) rho(s)`, as [`Band`](super::patch_strip::Band) has it.
+//! Pressure along one chord of a contact area: `a sqrt(1 - s^2) rho(s)`, as [`Band`](super::patch_strip::Band) has it.
 
 use super::lattice::whole;
 use crate::numerics::gauss::GAUSS_4;
@@ -43,9 +43,9 @@ impl Chord {
     }
 }
 
-/// A band along one y: where it lies, and the pressure on it.
+/// Chord of a band at one y: where it lies, and the pressure along it.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Line {
+pub(crate) struct ChordProfile {
     /// Middle between the ends (m).
     pub(crate) centre: f64,
     /// Half of its length (m).
@@ -53,7 +53,7 @@ pub(crate) struct Line {
     pub(super) density: Density,
 }
 
-impl Line {
+impl ChordProfile {
     /// Pressure at `s` (Pa).
     pub(crate) fn pressure(&self, s: f64) -> f64 {
         self.pressure_at(&ChordPoint::new(s))

@@ -1,14 +1,13 @@
 //! The solved normal contact of two bodies of any shape: its patches and their pressure.
 
-use std::sync::Arc;
-
-use crate::check;
-use crate::solid::SolidPair;
-
 use super::lattice::Lattice;
 use super::patch::Patch;
 use super::patch_strip::{Band, Moments};
 use super::strip_system::Factors;
+use crate::Scaling;
+use crate::check::{self, InvalidValue};
+use crate::solid::SolidPair;
+use std::sync::Arc;
 
 /// A number and how far the true one may lie from it.
 ///
@@ -24,8 +23,7 @@ pub struct Estimate {
     pub error: f64,
 }
 
-/// How finely contact areas are resolved: the number of strips across an area, or of elements
-/// along a mean chord of it.
+/// Resolution of contact areas: the number of strips across an area, or of elements along a mean chord of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resolution {
     pub(super) count: usize,
@@ -64,7 +62,7 @@ impl Default for Resolution {
     }
 }
 
-/// Whether the equations are solved.
+/// Convergence of the normal solver.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Status {
     /// To the solver's tolerance.
@@ -76,7 +74,7 @@ pub enum Status {
     },
 }
 
-/// How the contact was found.
+/// Method by which the contact was found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
     /// By strips whose pressure vanishes as a root at fitted ends.
@@ -145,11 +143,11 @@ pub(super) struct ElementRule {
 /// Whether error bars found at a load and an area hold for others.
 fn reaches(origin: [f64; 2], load: f64, area: f64) -> bool {
     /// Of load or area: error bars, in parts of what they belong to, change by some hundredths then.
-    const NEAR: f64 = 0.03;
-    (load / origin[0] - 1.0).abs() < NEAR && (area / origin[1] - 1.0).abs() < NEAR
+    const MAX_CHANGE: f64 = 0.03;
+    (load / origin[0] - 1.0).abs() < MAX_CHANGE && (area / origin[1] - 1.0).abs() < MAX_CHANGE
 }
 
-/// What a contact close by tells of another: its areas, the matrix of its strips, and how many it took.
+/// Warm start from a contact close by: its areas, the matrix of its strips, and how many it took.
 #[derive(Debug, Clone)]
 pub(super) struct NormalWarmStart<'a> {
     pub(super) areas: Vec<Patch>,
@@ -211,7 +209,7 @@ impl NormalContact {
         is_like.then(|| own.into_iter().zip(expected).map(beyond).collect())
     }
 
-    /// The same with areas so many times as much wider: where the next contact like this one is to be sought.
+    /// Predictor of the next contact like this one: its patches' sides, extrapolated by `times` their growth `beyond`.
     #[must_use]
     pub fn with_sides_moved(&self, beyond: &[[f64; 2]], times: f64) -> Self {
         let mut moved = self.clone();
@@ -312,5 +310,27 @@ impl NormalContact {
     #[must_use]
     pub fn pressure(&self, x: f64, y: f64) -> f64 {
         self.patches.iter().map(|patch| patch.pressure(x, y)).fold(0.0, f64::max)
+    }
+}
+
+/// Unit of slip over the largest traction bound in units of `G`: the elastic slip is of order one.
+pub(crate) const SLIP_UNIT: f64 = 0.5;
+
+impl NormalContact {
+    /// Units of creepage, force and position for a coefficient of friction: those of every theory
+    /// of rolling on this contact. The unit of length is a root of the area, that of slip half the
+    /// largest traction bound over the shear modulus.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless `friction` is finite and positive.
+    pub fn scaling(&self, friction: f64) -> Result<Scaling, InvalidValue> {
+        check::positive("friction", friction)?;
+        let traction = friction * self.peak_pressure().value;
+        Ok(Scaling {
+            length: (self.area().value / 3.0).sqrt(),
+            slip: SLIP_UNIT * traction / self.pair().shear_modulus(),
+            force: friction * self.load().value,
+            traction,
+        })
     }
 }

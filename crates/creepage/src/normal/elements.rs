@@ -39,14 +39,15 @@ pub(super) fn refined(
 
 /// Divides a rectangle so that a chord has the given number of cells, within the limit of cells.
 fn spanning(rectangle: &Rectangle, chords: [f64; 2], per_chord: f64) -> Lattice {
-    const LEAST: f64 = 4.0;
+    /// Cells along each side of the rectangle, at least.
+    const MIN_CELLS: f64 = 4.0;
     // A count that is whole but for rounding stays so at any scale of the lengths.
     const ROUNDING: f64 = 1e-6;
     let size = rectangle.size();
-    let wanted = [0, 1].map(|axis| (size[axis] / chords[axis] * per_chord).max(LEAST));
+    let wanted = [0, 1].map(|axis| (size[axis] / chords[axis] * per_chord).max(MIN_CELLS));
     let shrink = (MOST_CELLS / (wanted[0] * wanted[1])).sqrt().min(1.0);
-    let count =
-        wanted.map(|n| whole(((n * shrink).clamp(LEAST, MOST_CELLS / LEAST) - ROUNDING).ceil()));
+    let count = wanted
+        .map(|n| whole(((n * shrink).clamp(MIN_CELLS, MOST_CELLS / MIN_CELLS) - ROUNDING).ceil()));
     Lattice::dividing(rectangle, count)
 }
 

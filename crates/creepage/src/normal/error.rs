@@ -1,4 +1,4 @@
-//! Why two bodies have no contact area that can be computed.
+//! Errors of the normal solver.
 
 use crate::check::InvalidValue;
 
@@ -26,7 +26,7 @@ impl std::fmt::Display for Side {
     }
 }
 
-/// Why two bodies have no contact area that can be computed.
+/// Error of two bodies without a contact area that can be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NormalError {

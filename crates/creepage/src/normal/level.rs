@@ -21,7 +21,7 @@ pub(super) struct ElementGrid {
     pub(super) stiffness: f64,
 }
 
-/// What a level is asked to solve.
+/// Normal problem on one lattice.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NormalProblem<'a> {
     pub(super) gap: &'a Gap,
@@ -30,7 +30,7 @@ pub(super) struct NormalProblem<'a> {
     pub(super) approach: f64,
 }
 
-/// How well a level is solved.
+/// Tolerances of a lattice's solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Accuracy {
     /// Largest residual, in parts of the greatest depth.
@@ -73,7 +73,7 @@ impl ElementGrid {
     }
 
     /// Solves on the lattice of a contact close by, from pressures there.
-    pub(super) fn follow(
+    pub(super) fn warm_started(
         task: NormalProblem<'_>,
         lattice: Lattice,
         pressure: impl Fn(f64, f64) -> f64,
@@ -112,8 +112,8 @@ impl ElementGrid {
         let start = if start.iter().any(|&p| p > 0.0) { start } else { depths.clone() };
         let pressed = complementarity::solve(&mut product, &depths, start, accuracy.residual);
         let unit = task.modulus * scale / length;
-        let stiffness = accuracy.stiffness.map_or(f64::NAN, |enough| {
-            flat_response(&mut product, &pressed.pressures, enough) * task.modulus * length
+        let stiffness = accuracy.stiffness.map_or(f64::NAN, |tolerance| {
+            flat_response(&mut product, &pressed.pressures, tolerance) * task.modulus * length
         });
         let mut level = Self {
             lattice: *lattice,
@@ -126,7 +126,7 @@ impl ElementGrid {
             cells.iter().zip(&pressed.pressures).zip(&pressed.distance)
         {
             level.pressures[cell] = pressure * unit;
-            level.near[cell] = distance < NEAR;
+            level.near[cell] = distance < NEAR_CONTACT;
         }
         level
     }
@@ -214,7 +214,7 @@ impl ElementGrid {
 }
 
 /// Deformed distance, in parts of the greatest depth, below which a cell is looked at again.
-const NEAR: f64 = 0.03;
+const NEAR_CONTACT: f64 = 0.03;
 
 /// Sum of the pressures that displace all pressed cells by one: conjugate gradients.
 fn flat_response(product: &mut Product, pressed: &[f64], tolerance: f64) -> f64 {
@@ -229,9 +229,9 @@ fn flat_response(product: &mut Product, pressed: &[f64], tolerance: f64) -> f64 
     // Contact pressures fall towards the edge where these rise: start from what is uniform.
     let (mut direction, mut image) = (rest.clone(), vec![0.0; pressed.len()]);
     let (mut sum, mut square) = (0.0, dot(&rest, &rest));
-    let enough = tolerance * tolerance * square;
+    let square_tolerance = tolerance * tolerance * square;
     for _ in 0..MAX_STEPS {
-        if square <= enough {
+        if square <= square_tolerance {
             break;
         }
         product.apply(&direction, &mut image);

@@ -6,7 +6,7 @@ use super::elements;
 use super::error::NormalError;
 use super::level::{Accuracy, ElementGrid, NormalProblem};
 use super::overlap::Overlap;
-use super::solution::Asked;
+use super::solution::Prescribed;
 
 /// The approach of a load to about a percent, and the coarse solution there.
 ///
@@ -17,10 +17,11 @@ pub(super) fn first(
     modulus: f64,
     load: f64,
 ) -> Result<(NormalProblem<'_>, ElementGrid), NormalError> {
-    const STEPS: usize = 60;
+    /// Evaluations in the search for the approach.
+    const MAX_ROOT_STEPS: usize = 60;
     const LOAD_TOLERANCE: f64 = 0.02;
     let mut search = Search::start(gap, load / modulus)?;
-    for _ in 0..STEPS {
+    for _ in 0..MAX_ROOT_STEPS {
         let approach = search.least_gap + search.depth;
         let task = NormalProblem { gap, modulus, approach };
         let overlap = Overlap::find(gap, approach)?;
@@ -106,16 +107,17 @@ impl Search {
 /// approach stays as it is.
 pub(super) fn corrected(
     mut task: NormalProblem<'_>,
-    asked: Asked,
+    asked: Prescribed,
     mut level: ElementGrid,
     accuracy: Accuracy,
 ) -> Result<(NormalProblem<'_>, ElementGrid), NormalError> {
-    const STEPS: usize = 8;
-    let enough = 10.0 * accuracy.residual;
-    let Asked::Load(load) = asked else { return Ok((task, level)) };
-    for _ in 0..STEPS {
+    /// Corrections of the approach on the finer grid.
+    const MAX_CORRECTIONS: usize = 8;
+    let tolerance = 10.0 * accuracy.residual;
+    let Prescribed::Load(load) = asked else { return Ok((task, level)) };
+    for _ in 0..MAX_CORRECTIONS {
         let carried = level.load();
-        if (carried / load - 1.0).abs() < enough {
+        if (carried / load - 1.0).abs() < tolerance {
             break;
         }
         let change = (load - carried) / level.stiffness;

@@ -1,5 +1,5 @@
-//! Normal contact of bodies of any shape, on the half-space: pressures that are not negative and
-//! keep the bodies apart, on any number of patches in one system.
+//! Normal contact of bodies of any shape, on the half-space: pressures that are not negative and keep the bodies apart,
+//! on any number of patches in one system.
 //!
 //! With `E* = G/(1 - sigma)` and the undeformed distance `h`:
 //!
@@ -22,18 +22,15 @@ mod patch;
 mod patch_strip;
 mod product;
 mod refinement;
-mod section_overlap;
 mod solution;
 mod solve;
 pub(crate) mod strip_system;
 mod strips;
 mod turn;
-mod units;
 
 pub(crate) use chord::ChordPoint;
+pub(crate) use contact::SLIP_UNIT;
 pub use contact::{Estimate, Method, NormalContact, Resolution, Status};
 pub use error::{NormalError, Side};
 pub use patch::Patch;
 pub use patch_strip::{Band, Moments};
-
-pub(crate) use units::SLIP_UNIT;

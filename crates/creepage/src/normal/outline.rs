@@ -1,4 +1,4 @@
-//! From pressures on a lattice to patches whose ends lie between its lines.
+//! Outline of patches from pressures on a lattice, with ends between its lines.
 //!
 //! The force on the outer two cells of a row is `2/3 p D` of the pressure `p` at their inner side
 //! if pressure rises as a root over the distance `D` to the true end; so `D` follows from both.

@@ -1,4 +1,4 @@
-//! Where undeformed bodies would overlap: contact lies inside, for pressure only pushes apart.
+//! Overlap of the undeformed bodies: contact lies inside, for pressure only pushes apart.
 
 use crate::gap::{Gap, Rectangle};
 

@@ -1,4 +1,4 @@
-//! One connected contact area, and what presses in it.
+//! Patch: one connected contact area with its pressure.
 
 use crate::gap::Rectangle;
 

@@ -1,5 +1,4 @@
-//! A band: a part of a contact area that every line along x crosses once; its ends and the pressure in
-//! it.
+//! Band of a patch: a part of a contact area that every line along x crosses once; its ends and the pressure in it.
 //!
 //! At each `y` the area reaches from `x_0(y) - a(y)` to `x_0(y) + a(y)`, and with
 //! `s = (x - x_0)/a` the pressure is
@@ -16,7 +15,7 @@ use std::f64::consts::FRAC_PI_2;
 use crate::gap::Cubic;
 use crate::numerics::gauss::GAUSS_4;
 
-use super::chord::{Chord, ChordPoint, Line, PLACES, arc_nodes};
+use super::chord::{Chord, ChordPoint, ChordProfile, PLACES, arc_nodes};
 
 /// Force on a part of the area and its moments about the axes through the origin.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -154,7 +153,7 @@ impl Band {
 
     /// The band along one y: `rho` goes as a cubic through the four chords around it, and beyond
     /// the outermost it stays.
-    pub(crate) fn line(&self, y: f64) -> Line {
+    pub(crate) fn line(&self, y: f64) -> ChordProfile {
         let (centre, half) = self.section(y);
         let mut density = [0.0; PLACES];
         for (weight, chord) in self.around(y) {
@@ -162,7 +161,7 @@ impl Band {
                 *sum += weight * rho;
             }
         }
-        Line { centre, half, density }
+        ChordProfile { centre, half, density }
     }
 
     /// The weights of the four chords around a y, and which they are.
@@ -251,8 +250,8 @@ impl Band {
         self.tips
     }
 
-    /// The same with its sides drawn in, or out by less than nothing; chords that come to lie outside are left out, but the
-    /// last one stays.
+    /// The band trimmed at its sides (extended where negative); chords that come to lie outside are dropped, but at least
+    /// one stays.
     pub(super) fn trimmed(&self, by: [f64; 2]) -> Self {
         let y = [self.y[0] + by[0], self.y[1] - by[1]];
         self.between(y, self.tips).unwrap_or_else(|| self.clone())

@@ -1,5 +1,5 @@
-//! Displacements from pressures on cells of a lattice: a dense matrix for few cells, a
-//! convolution by fast Fourier transforms for many.
+//! Matrix-vector product of the element method: displacements from pressures on cells of a lattice, by a dense matrix
+//! for few cells, a convolution by fast Fourier transforms for many.
 
 use std::sync::Arc;
 

@@ -3,10 +3,10 @@
 use super::contact::{NormalWarmStart, Resolution};
 use super::level::NormalProblem;
 use super::patch::Patch;
-use super::solution::{Asked, Found, Pair};
+use super::solution::{Prescribed, SolvedPair, SolvedPatches};
 use super::strips::{self, StripOptions};
 
-/// Where the areas come from in which strips begin.
+/// Start of the strips: where their areas come from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Start {
     /// A first look, which is to be improved if strips do not settle at once.
@@ -17,13 +17,13 @@ pub(super) enum Start {
     Close,
 }
 
-/// Tips by a few strips decide where more are laid, so that these hardly depend on the start: parts of a
-/// strip's width, coarse and fine.
+/// Convergence tolerance of the tips, in widths of a strip, on the coarse and the fine pass: the coarse tips decide
+/// where the fine strips are laid, which so hardly depend on the start.
 const SETTLED: [f64; 2] = [0.05, 0.4];
 /// Largest residual over the depth, coarse and fine.
 pub(super) const RESIDUAL_TOLERANCES: [f64; 2] = [1e-5, 1e-6];
-/// Stiffness: of an answer, and where one only searches.
-pub(super) const NEARLY: [f64; 2] = [2e-3, 0.05];
+/// Relative tolerance of the stiffness `dN/d(approach)`: final, and during a search.
+pub(super) const STIFFNESS_TOLERANCES: [f64; 2] = [2e-3, 0.05];
 /// Strips of the finer solution for each of the coarser.
 const HALVES: f64 = 2.0;
 /// How much the peak pressure may change with half and with 8/5 of the strips. Where its error falls with the
@@ -37,25 +37,25 @@ const UNEVEN: [f64; 2] = [0.02, 0.002];
 /// problem, whatever they began with.
 pub(super) fn by_strips(
     task: NormalProblem<'_>,
-    asked: Asked,
+    asked: Prescribed,
     near: &NormalWarmStart<'_>,
     resolution: Resolution,
     kind: Start,
-) -> Option<Pair> {
-    let ladder = RefinementPair::new(task, asked, near, resolution, kind)?;
+) -> Option<SolvedPair> {
+    let refinement = RefinementPair::new(task, asked, near, resolution, kind)?;
     if !resolution.with_errors {
-        let only = ladder.lay(&near.areas, task.approach, ladder.whole)?;
-        return Some(ladder.pair_of_halves(only.clone(), only));
+        let only = refinement.lay(&near.areas, task.approach, refinement.whole)?;
+        return Some(refinement.pair_of_halves(only.clone(), only));
     }
-    if let Some(pair) = ladder.downwards_from_more() {
+    if let Some(pair) = refinement.downwards_from_more() {
         return Some(pair);
     }
     let (coarse, fine) = match kind {
-        Start::Rough => ladder.upwards(),
-        Start::Elements => ladder.upwards().or_else(|| ladder.downwards()),
-        Start::Close => ladder.downwards().or_else(|| ladder.upwards()),
+        Start::Rough => refinement.upwards(),
+        Start::Elements => refinement.upwards().or_else(|| refinement.downwards()),
+        Start::Close => refinement.downwards().or_else(|| refinement.upwards()),
     }?;
-    ladder.answer(coarse, fine)
+    refinement.answer(coarse, fine)
 }
 
 /// Strips in three numbers, and where they begin.
@@ -73,17 +73,17 @@ impl<'a> RefinementPair<'a> {
     /// `None` where waves along rolling are too short for strips.
     fn new(
         task: NormalProblem<'a>,
-        asked: Asked,
+        asked: Prescribed,
         near: &'a NormalWarmStart<'a>,
         resolution: Resolution,
         kind: Start,
     ) -> Option<Self> {
         let whole = StripOptions {
-            load: if let Asked::Load(load) = asked { Some(load) } else { None },
+            load: if let Prescribed::Load(load) = asked { Some(load) } else { None },
             count: resolution.count.min(strips::most(&near.areas)),
             terms: strips::terms(task.gap, &near.areas)?,
-            enough: RESIDUAL_TOLERANCES[1],
-            nearly: NEARLY[usize::from(!resolution.with_errors)],
+            residual_tolerance: RESIDUAL_TOLERANCES[1],
+            stiffness_tolerance: STIFFNESS_TOLERANCES[usize::from(!resolution.with_errors)],
             complete: true,
             summit: resolution.with_errors,
             attempts: if kind == Start::Close {
@@ -95,9 +95,9 @@ impl<'a> RefinementPair<'a> {
         };
         let half = StripOptions {
             count: whole.count.div_ceil(2),
-            enough: RESIDUAL_TOLERANCES[0],
+            residual_tolerance: RESIDUAL_TOLERANCES[0],
             // Their stiffness is not used.
-            nearly: f64::INFINITY,
+            stiffness_tolerance: f64::INFINITY,
             complete: false,
             // Better areas cost less than many attempts, and finer strips tell the error as well.
             attempts: match kind {
@@ -112,29 +112,29 @@ impl<'a> RefinementPair<'a> {
         Some(Self { task, near, half, whole, more })
     }
 
-    fn lay(&self, start: &[Patch], approach: f64, wanted: StripOptions) -> Option<Found> {
-        strips::solve(NormalProblem { approach, ..self.task }, start, self.near.factors, wanted)
+    fn lay(&self, start: &[Patch], approach: f64, options: StripOptions) -> Option<SolvedPatches> {
+        strips::solve(NormalProblem { approach, ..self.task }, start, self.near.factors, options)
     }
 
-    fn lay_into(&self, found: &Found, wanted: StripOptions) -> Option<Found> {
-        self.lay(&found.patches, found.approach, wanted)
+    fn lay_into(&self, found: &SolvedPatches, options: StripOptions) -> Option<SolvedPatches> {
+        self.lay(&found.patches, found.approach, options)
     }
 
     /// Half the strips, and all into their areas.
-    fn upwards(&self) -> Option<(Option<Found>, Found)> {
+    fn upwards(&self) -> Option<(Option<SolvedPatches>, SolvedPatches)> {
         let coarse = self.lay(&self.near.areas, self.task.approach, self.half)?;
         let fine = self.lay_into(&coarse, self.whole)?;
         Some((Some(coarse), fine))
     }
 
     /// All strips at once, and half of them into their areas, if these settle.
-    fn downwards(&self) -> Option<(Option<Found>, Found)> {
+    fn downwards(&self) -> Option<(Option<SolvedPatches>, SolvedPatches)> {
         let fine = self.lay(&self.near.areas, self.task.approach, self.whole)?;
         Some((self.lay_into(&fine, self.half), fine))
     }
 
     /// The same from more strips, where the contact close by took them.
-    fn downwards_from_more(&self) -> Option<Pair> {
+    fn downwards_from_more(&self) -> Option<SolvedPair> {
         if self.near.taken != Some(self.more.count) {
             return None;
         }
@@ -152,7 +152,7 @@ impl<'a> RefinementPair<'a> {
 
     /// By half of the strips and all, if these are enough, else by more; `None` where more do not settle and
     /// waves across are too short for those.
-    fn answer(&self, coarse: Option<Found>, fine: Found) -> Option<Pair> {
+    fn answer(&self, coarse: Option<SolvedPatches>, fine: SolvedPatches) -> Option<SolvedPair> {
         /// Of the peak pressure between strips.
         const UNSEEN: f64 = 0.02;
         match coarse {
@@ -167,20 +167,20 @@ impl<'a> RefinementPair<'a> {
         }
     }
 
-    fn pair_of_halves(&self, coarse: Found, fine: Found) -> Pair {
-        Pair::of_strips(coarse, (fine, self.whole.count), HALVES)
+    fn pair_of_halves(&self, coarse: SolvedPatches, fine: SolvedPatches) -> SolvedPair {
+        SolvedPair::of_strips(coarse, (fine, self.whole.count), HALVES)
     }
 
-    fn pair_with_more(&self, fine: Found, finer: Found) -> Pair {
+    fn pair_with_more(&self, fine: SolvedPatches, finer: SolvedPatches) -> SolvedPair {
         let times = self.more.count as f64 / self.whole.count as f64;
-        Pair::of_strips(fine, (finer, self.more.count), times)
+        SolvedPair::of_strips(fine, (finer, self.more.count), times)
     }
 }
 
 /// Whether more strips are needed than found a contact: the peak pressure changes with their number or where they
 /// are cut at the summit, waves across put a part of it between them, or the area is so skew that its edge is a
 /// stair.
-fn is_uneven(found: &Found, by_others: &Found, most: f64) -> bool {
+fn is_uneven(found: &SolvedPatches, by_others: &SolvedPatches, most: f64) -> bool {
     let change = |other: f64| (found.peak / other - 1.0).abs();
     change(by_others.peak) > most
         || change(found.summit) > 0.005

@@ -1,4 +1,4 @@
-//! From the strip or element solution to a contact: extrapolated values with error bars.
+//! Solution of the normal problem, from strips or elements to a contact: extrapolated values with error bars.
 
 use std::sync::Arc;
 
@@ -12,16 +12,16 @@ use super::outline;
 use super::patch::Patch;
 use super::strip_system::Factors;
 
-/// What is prescribed.
+/// Normal constraint: load or approach.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Asked {
+pub(super) enum Prescribed {
     Approach(f64),
     Load(f64),
 }
 
-/// A solution of either kind.
+/// Patches solved by strips or by elements.
 #[derive(Debug, Clone)]
-pub(super) struct Found {
+pub(super) struct SolvedPatches {
     pub(super) patches: Vec<Patch>,
     pub(super) approach: f64,
     pub(super) load: f64,
@@ -31,13 +31,13 @@ pub(super) struct Found {
     /// What a summit or waves as narrow as strips or elements may add to the greatest pressure.
     pub(super) unseen: f64,
     pub(super) stiffness: f64,
-    /// [`Band::stairs`] of the worst band, in the axes in which it was pressed; 0 for elements.
+    /// [`Band::stairs`](super::patch_strip::Band::stairs) of the worst band, in the axes in which it was pressed; 0 for elements.
     pub(super) stairs: f64,
     /// The matrix of strips.
     pub(super) factors: Option<Arc<Factors>>,
 }
 
-impl Found {
+impl SolvedPatches {
     pub(super) fn by_elements(task: NormalProblem<'_>, level: &ElementGrid) -> Self {
         let [peak, fall] = summit(level);
         Self {
@@ -73,10 +73,10 @@ pub(super) fn areas(level: &ElementGrid) -> Vec<Patch> {
     outline::patches(level).into_iter().map(Patch::new).collect()
 }
 
-/// A solution, a coarser one, and what they belong to.
-pub(super) struct Pair {
-    pub(super) coarse: Found,
-    pub(super) fine: Found,
+/// Coarse and fine solution, for extrapolation and error bars.
+pub(super) struct SolvedPair {
+    pub(super) coarse: SolvedPatches,
+    pub(super) fine: SolvedPatches,
     pub(super) method: Method,
     /// The finer one's number of strips across or elements along, and the same over the coarser one's.
     pub(super) count: usize,
@@ -88,8 +88,12 @@ pub(super) struct Pair {
     pub(super) lattice: Option<Lattice>,
 }
 
-impl Pair {
-    pub(super) fn of_strips(coarse: Found, (fine, count): (Found, usize), finer: f64) -> Self {
+impl SolvedPair {
+    pub(super) fn of_strips(
+        coarse: SolvedPatches,
+        (fine, count): (SolvedPatches, usize),
+        finer: f64,
+    ) -> Self {
         let (method, lattice) = (Method::Strips, None);
         Self { coarse, fine, method, count, finer, residual: 0.0, excess: 0.0, lattice }
     }
@@ -100,10 +104,15 @@ impl Pair {
     }
 }
 
-pub(super) fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> NormalContact {
+pub(super) fn contact(
+    gap: &Gap,
+    pair: SolidPair,
+    asked: Prescribed,
+    found: SolvedPair,
+) -> NormalContact {
     let lacking = found.lacking();
     let bars = Bars::new(&found);
-    let Pair { coarse, mut fine, method, residual, count, lattice, .. } = found;
+    let SolvedPair { coarse, mut fine, method, residual, count, lattice, .. } = found;
     let area = fine.area();
     // Where strips scatter, as slender ones do that lie hardly askew, the summit that they are cut for does too.
     let scatter = if fine.stairs > 0.0 { (fine.summit - fine.peak).abs() } else { 0.0 };
@@ -117,14 +126,14 @@ pub(super) fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> 
     let rule = StripRule { count, load: at_limit / fine.load, origin: [at_limit, area] };
     let rule = by_strips.then_some(rule);
     let (approach, load) = match asked {
-        Asked::Load(load) => {
+        Prescribed::Load(load) => {
             let value = fine.approach + (fine.load - at_limit) / fine.stiffness;
             (
                 Estimate { value, error: load_error / fine.stiffness },
                 Estimate { value: load, error: 0.0 },
             )
         }
-        Asked::Approach(value) => {
+        Prescribed::Approach(value) => {
             (Estimate { value, error: 0.0 }, Estimate { value: at_limit, error: load_error })
         }
     };
@@ -179,7 +188,7 @@ struct Bars {
 }
 
 impl Bars {
-    fn new(found: &Pair) -> Self {
+    fn new(found: &SolvedPair) -> Self {
         // Elements scatter, and may agree by chance.
         let (of_difference, stairs) = match found.method {
             Method::Strips => (found.lacking(), found.fine.stairs.powi(2)),

@@ -1,5 +1,6 @@
 //! The normal solver: overlap of the undeformed bodies, elements on two lattices, then strips laid into what
-//! these find. Each way checks the other; where the strips do not settle, finer elements speak.
+//! these find. Strip and element solutions are checked against each other; where the strips do not converge, finer
+//! elements are the fallback.
 
 use crate::check;
 use crate::gap::Gap;
@@ -11,8 +12,8 @@ use super::error::NormalError;
 use super::level::{Accuracy, ElementGrid, NormalProblem};
 use super::load;
 use super::overlap::Overlap;
-use super::refinement::{NEARLY, RESIDUAL_TOLERANCES, Start, by_strips};
-use super::solution::{Asked, Found, Pair, areas, contact, gap_points, scale};
+use super::refinement::{RESIDUAL_TOLERANCES, STIFFNESS_TOLERANCES, Start, by_strips};
+use super::solution::{Prescribed, SolvedPair, SolvedPatches, areas, contact, gap_points, scale};
 use super::strips::{self, StripOptions};
 
 impl NormalContact {
@@ -31,7 +32,7 @@ impl NormalContact {
         resolution: Resolution,
     ) -> Result<Self, NormalError> {
         check::finite("approach", approach)?;
-        solve(gap, pair, Asked::Approach(approach), None, resolution)
+        solve(gap, pair, Prescribed::Approach(approach), None, resolution)
     }
 
     /// Presses the bodies together by a load (N).
@@ -45,7 +46,7 @@ impl NormalContact {
         resolution: Resolution,
     ) -> Result<Self, NormalError> {
         check::positive("normal_force", load)?;
-        solve(gap, pair, Asked::Load(load), None, resolution)
+        solve(gap, pair, Prescribed::Load(load), None, resolution)
     }
 
     /// The same bodies in a position close by, at an approach (m): quicker than
@@ -60,7 +61,7 @@ impl NormalContact {
         resolution: Resolution,
     ) -> Result<Self, NormalError> {
         check::finite("approach", approach)?;
-        let asked = Asked::Approach(approach);
+        let asked = Prescribed::Approach(approach);
         solve(gap, self.pair, asked, Some(&self.near(approach)), resolution)
     }
 
@@ -72,7 +73,7 @@ impl NormalContact {
         if !approach.is_finite() {
             return None;
         }
-        follow(gap, self, approach).or_else(|| follow_on_lattice(gap, self, approach))
+        resolve_strips(gap, self, approach).or_else(|| resolve_elements(gap, self, approach))
     }
 }
 
@@ -80,13 +81,13 @@ impl NormalContact {
 fn solve(
     gap: &Gap,
     pair: SolidPair,
-    asked: Asked,
+    asked: Prescribed,
     near: Option<&NormalWarmStart<'_>>,
     resolution: Resolution,
 ) -> Result<NormalContact, NormalError> {
     const COARSE: f64 = 10.0;
     let modulus = pair.shear_modulus() / (1.0 - pair.poisson());
-    if let Asked::Approach(approach) = asked
+    if let Prescribed::Approach(approach) = asked
         && let Some(near) = near
         // Strips that prove to be all the contact there is need no elements.
         && let Some(found) = {
@@ -97,11 +98,11 @@ fn solve(
         return Ok(contact(gap, pair, asked, found));
     }
     let (task, first) = match asked {
-        Asked::Approach(approach) => {
+        Prescribed::Approach(approach) => {
             let task = NormalProblem { gap, modulus, approach };
             (task, elements::first(task, &Overlap::find(gap, approach)?)?)
         }
-        Asked::Load(load) => load::first(gap, modulus, load)?,
+        Prescribed::Load(load) => load::first(gap, modulus, load)?,
     };
     // Strips that prove to be all the contact there is may begin anywhere.
     let complete = task.gap.has_locus();
@@ -115,7 +116,7 @@ fn solve(
     if let Some(side) = coarse.side_reached(gap) {
         return Err(elements::edge_error(task, &coarse, side));
     }
-    let elements = Found::by_elements(task, &coarse);
+    let elements = SolvedPatches::by_elements(task, &coarse);
     // Elements across a slender area are too few to agree with.
     let start = Start::Elements;
     let near = NormalWarmStart::of(elements.patches.clone());
@@ -128,23 +129,23 @@ fn solve(
 }
 
 /// By as many strips as a contact close by, which tells what they lack.
-fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContact> {
+fn resolve_strips(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContact> {
     let (rule, NormalWarmStart { areas, factors, .. }) = (near.rule?, near.near(approach));
     let modulus = near.pair.shear_modulus() / (1.0 - near.pair.poisson());
-    let wanted = StripOptions {
+    let options = StripOptions {
         load: None,
         count: rule.count.min(strips::most(&areas)),
         terms: strips::terms(gap, &areas)?,
         // A last step is taken from there.
-        enough: RESIDUAL_TOLERANCES[0],
-        nearly: NEARLY[1],
+        residual_tolerance: RESIDUAL_TOLERANCES[0],
+        stiffness_tolerance: STIFFNESS_TOLERANCES[1],
         complete: true,
         summit: true,
         attempts: StripOptions::CLOSE_ATTEMPTS,
         settled: 1.0,
     };
     let mut found =
-        strips::solve(NormalProblem { gap, modulus, approach }, &areas, factors, wanted)?;
+        strips::solve(NormalProblem { gap, modulus, approach }, &areas, factors, options)?;
     let value = rule.load * found.load;
     scale(&mut found.patches, value);
     let summit = found.summit;
@@ -153,13 +154,13 @@ fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContac
 
 /// On the lattice of elements of a contact close by: there loads change as continuously as the gap does, from one
 /// lattice to another they jump by a thousandth.
-fn follow_on_lattice(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContact> {
+fn resolve_elements(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContact> {
     let lattice = near.elements?.lattice;
     let modulus = near.pair.shear_modulus() / (1.0 - near.pair.poisson());
     let task = NormalProblem { gap, modulus, approach };
-    let level = ElementGrid::follow(task, lattice, |x, y| near.pressure(x, y)).ok()?;
+    let level = ElementGrid::warm_started(task, lattice, |x, y| near.pressure(x, y)).ok()?;
     let is_solved = level.residual <= Accuracy::ANSWER.residual && !level.reaches_side();
-    let mut found = is_solved.then(|| Found::by_elements(task, &level))?;
+    let mut found = is_solved.then(|| SolvedPatches::by_elements(task, &level))?;
     let (value, summit) = (found.load, found.summit);
     scale(&mut found.patches, value);
     Some(followed(gap, near, (approach, value), summit, found))
@@ -171,7 +172,7 @@ fn followed(
     near: &NormalContact,
     (approach, load): (f64, f64),
     summit: f64,
-    found: Found,
+    found: SolvedPatches,
 ) -> NormalContact {
     let scaled = |value: f64, near: Estimate| Estimate {
         value,
@@ -196,10 +197,10 @@ fn followed(
 
 fn by_elements(
     task: NormalProblem<'_>,
-    asked: Asked,
+    asked: Prescribed,
     coarse: &ElementGrid,
     resolution: Resolution,
-) -> Result<Pair, NormalError> {
+) -> Result<SolvedPair, NormalError> {
     const COARSER: f64 = 0.6;
     /// Steps in place of pressures that end as a root carry too much: corrugated gaps, at worst.
     const EXCESS: f64 = 0.25;
@@ -207,15 +208,15 @@ fn by_elements(
     let accuracy = Accuracy::ANSWER;
     let coarse = elements::refined(task, coarse, COARSER * count, accuracy)?;
     let (task, coarse) = load::corrected(task, asked, coarse, accuracy)?;
-    let coarse_found = Found::by_elements(task, &coarse);
+    let coarse_found = SolvedPatches::by_elements(task, &coarse);
     let fine = elements::refined(task, &coarse, count, accuracy)?;
     let (task, fine) = load::corrected(task, asked, fine, accuracy)?;
     if let Some(side) = fine.side_reached(task.gap) {
         return Err(elements::edge_error(task, &fine, side));
     }
-    Ok(Pair {
+    Ok(SolvedPair {
         coarse: coarse_found,
-        fine: Found::by_elements(task, &fine),
+        fine: SolvedPatches::by_elements(task, &fine),
         method: Method::Elements,
         count: resolution.count,
         finer: 1.0 / COARSER,

@@ -1,20 +1,17 @@
-//! Axes along a contact area.
+//! Rotation of the axes along a contact area that lies askew.
 //!
 //! Strips are rectangles: in an area that lies askew to rolling, as that of a flange of a yawed wheel, their
 //! ends are stairs, and so slender ones err by per cents. Elastic half-spaces have no direction: such an area
 //! is pressed in axes turned along it, and its bands are taken along rolling again afterwards.
 
-use std::cmp::Ordering;
-use std::f64::consts::{FRAC_PI_2, TAU};
-
-use crate::gap::{Gap, Rectangle};
-use crate::numerics::bisect;
-
 use super::chord::{Chord, PLACES, place};
 use super::level::NormalProblem;
 use super::patch::Patch;
 use super::patch_strip::Band;
-use super::section_overlap;
+use crate::gap::{Gap, Rectangle};
+use crate::numerics::bisect;
+use std::cmp::Ordering;
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, TAU};
 
 /// Axes turned about a place.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,7 +22,7 @@ pub(super) struct Turn {
 
 impl Turn {
     /// [`Band::stairs`] from which axes are turned.
-    pub(super) const LEAST: f64 = 5e-3;
+    pub(super) const MIN_STAIRS: f64 = 5e-3;
     /// The same of the undeformed bodies' overlap, in its many rows: lower, for turning is a jump in the load.
     const LEAST_OF_OVERLAP: f64 = 5e-4;
 
@@ -40,10 +37,10 @@ impl Turn {
         });
         let bands: Vec<&Band> = bands.collect::<Option<_>>()?;
         let overlap = task.gap.domain().y.iter().all(|y| y.is_finite());
-        let overlap = if overlap { section_overlap::overlap(task) } else { None };
+        let overlap = if overlap { section_overlap(task) } else { None };
         let (band, least) = match (&overlap, &bands[..]) {
             (Some(overlap), _) => (overlap, Self::LEAST_OF_OVERLAP),
-            (None, [band]) => (*band, Self::LEAST),
+            (None, [band]) => (*band, Self::MIN_STAIRS),
             _ => return None,
         };
         if band.stairs() < least {
@@ -154,4 +151,55 @@ fn extreme(of: impl Fn(f64) -> f64, near: f64) -> f64 {
         }
     }
     f64::midpoint(low, high)
+}
+
+/// Rows at which the section is looked at, and the fewest in an area.
+const ROWS: u32 = 160;
+const FEWEST: usize = 6;
+/// Contact is where the undeformed bodies come nearer than this part of the approach (Kik and
+/// Piotrowski 1996).
+const VIRTUAL: f64 = 0.55;
+
+/// A place across, and the parabola along x there: height, half its curvature, locus.
+type Row = (f64, [f64; 3]);
+
+/// The part of the plane where the undeformed bodies come nearer than that part of the approach, as one band: gaps
+/// between its parts are bridged. `None` for other gaps and where it has few rows.
+fn section_overlap(task: NormalProblem<'_>) -> Option<Band> {
+    let (rows, least) = rows(task)?;
+    let depth = task.approach - least;
+    let inside = |(_, [height, ..]): &Row| least + VIRTUAL * depth - height;
+    let run: Vec<_> = rows.into_iter().filter(|row| inside(row) > 0.0).collect();
+    let patch = patch_of_rows(&run, &inside, task.modulus * depth)?;
+    patch.bands().first().cloned()
+}
+
+/// The section's rows, each with its parabola along x, and its least height.
+fn rows(task: NormalProblem<'_>) -> Option<(Vec<Row>, f64)> {
+    let [low, high] = task.gap.domain().y;
+    if !(high - low).is_finite() {
+        return None;
+    }
+    let y = |row: u32| low + (high - low) * f64::from(row) / f64::from(ROWS);
+    let rows = (0..=ROWS).map(|row| Some((y(row), task.gap.parabola(y(row))?)));
+    let rows: Vec<Row> = rows.collect::<Option<_>>()?;
+    let least = rows.iter().map(|(_, row)| row[0]).fold(f64::INFINITY, f64::min);
+    Some((rows, least))
+}
+
+/// An area on neighbouring rows, with pressures about those of Hertz.
+fn patch_of_rows(run: &[Row], inside: &impl Fn(&Row) -> f64, force: f64) -> Option<Patch> {
+    let [(first, _), .., (last, _)] = run else { return None };
+    let half = |row: &Row| (inside(row) / row.1[1]).sqrt();
+    let longest = run.iter().map(half).fold(0.0, f64::max);
+    let step = (last - first) / (run.len() - 1) as f64;
+    let width = 0.5 * (last - first + step);
+    let density = [FRAC_2_PI * force / (longest * width).sqrt() / longest; PLACES];
+    let chord = |row: &Row| {
+        let (y, [_, _, centre]) = *row;
+        Chord { y, half: half(row), centre, density }
+    };
+    let sides = [first - 0.5 * step, last + 0.5 * step];
+    let usable = run.len() >= FEWEST && longest.is_finite();
+    usable.then(|| Patch::new(vec![Band::new(run.iter().map(chord).collect(), sides, [true; 2])]))
 }

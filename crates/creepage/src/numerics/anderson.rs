@@ -9,7 +9,7 @@ const DEPTH: usize = 4;
 /// Directions of the remembered steps that are this much alike count once.
 const ALIKE: f64 = 1e-10;
 
-/// The last steps of an iteration `x <- g(x)`.
+/// Anderson acceleration by the last steps of an iteration `x <- g(x)`.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct AndersonAcceleration {
     /// `g(x)` and `g(x) - x`, the latest last.

@@ -1,4 +1,4 @@
-//! A pool of buffers that are used again.
+//! Pool of buffers that are used again.
 //!
 //! Pages fresh from the system cost half as much as what is computed into them, and contacts come in series:
 //! what was dropped last is kept, for all threads, for one may drop what another prepared.
@@ -11,7 +11,7 @@ const MAX_BUFFERS: usize = 32;
 const MAX_SIZE: usize = 12_000_000;
 const MAX_OF_ALL: usize = 64_000_000;
 
-/// Vectors that nobody uses, with what was in them. Nobody waits for them: new memory costs less, and a process
+/// Pool of unused vectors, with what was in them. Nobody waits for them: new memory costs less, and a process
 /// forked off would wait for ever.
 pub(crate) struct BufferPool<T>(Mutex<Vec<Vec<T>>>);
 

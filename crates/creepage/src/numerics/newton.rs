@@ -3,7 +3,7 @@
 use nalgebra::allocator::Allocator;
 use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, OVector};
 
-/// How exactly, and how long, [`newton()`] seeks.
+/// Tolerance and limits of [`newton()`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NewtonLimits {
     /// Largest component of the residual at which it ends.
@@ -16,7 +16,7 @@ pub struct NewtonLimits {
     pub least_decrease: f64,
 }
 
-/// Where Newton's method ends.
+/// Result of Newton's method.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Newton<D: Dim, T>
 where

@@ -1,5 +1,5 @@
-//! Several numbers at once, in plain arithmetic that compiles to SIMD: logarithms good to 1e-15, others
-//! to 1e-11.
+//! Elementary functions of several numbers at once, in plain arithmetic that compiles to SIMD: logarithms good to 1e-15,
+//! others to 1e-11.
 
 // So that all is compiled for each kind of processor.
 #![allow(clippy::inline_always)]

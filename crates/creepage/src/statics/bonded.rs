@@ -1,4 +1,4 @@
-//! Two bodies in contact, shifted and twisted against each other without slip (3.212).
+//! Tangential shift and torsion of two bodies in contact without slip (3.212).
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! Two unlike bodies of revolution pressed together with friction, load step by load step.
+//! Compression of two unlike bodies of revolution with friction, load step by load step.
 //!
 //! Pressure alone would move the surfaces against each other (2.11a,b); friction resists, and acts back
 //! on the pressure (2.15c). All is symmetric about the axis. With `beta = kappa/(1 - sigma)`, pressure
@@ -180,11 +180,12 @@ impl Compression {
 
     /// Pressures under the present tractions: none pulls, and no ring penetrates.
     fn touch(&mut self) {
-        const STEPS: usize = 100;
+        /// Updates of the set of rings that touch.
+        const MAX_ACTIVE_SET_STEPS: usize = 100;
         let [by_pressure, by_traction] = &self.response[0];
         let needed = self.depths() - by_traction * &self.state.tractions;
         let mut pressed: Vec<bool> = needed.iter().map(|depth| *depth > 0.0).collect();
-        for _ in 0..STEPS {
+        for _ in 0..MAX_ACTIVE_SET_STEPS {
             let rings = positions(&pressed);
             self.state.pressures = on(by_pressure, &rings, &needed);
             let distance = by_pressure * &self.state.pressures - &needed;
@@ -207,7 +208,8 @@ impl Compression {
 
     /// Tractions under the present pressures; whether the areas of adhesion and slip settled.
     fn solve_tangential(&mut self, before: &DVector<f64>) -> bool {
-        const STEPS: usize = 100;
+        /// Updates of the areas of adhesion and slip.
+        const MAX_ACTIVE_SET_STEPS: usize = 100;
         let [by_pressure, by_traction] = &self.response[1];
         let wanted = before - by_pressure * &self.state.pressures;
         let n = self.state.regions.len();
@@ -215,7 +217,7 @@ impl Compression {
             .map(|i| self.friction * self.state.pressures[i] / middle(&self.radii, i))
             .collect();
         let state = &mut self.state;
-        for _ in 0..STEPS {
+        for _ in 0..MAX_ACTIVE_SET_STEPS {
             let sticks: Vec<bool> = state.regions.iter().map(|r| *r == Region::Adhesion).collect();
             let sliding = DVector::from_fn(n, |i, _| {
                 let slides = state.regions[i] == Region::Slip;

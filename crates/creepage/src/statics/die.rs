@@ -1,4 +1,4 @@
-//! A rigid, flat die of elliptical base, pressed into a half-space (3.211).
+//! Rigid, flat die of elliptical base, pressed into a half-space (3.211).
 
 use std::f64::consts::PI;
 
@@ -7,7 +7,7 @@ use crate::ellipse::Ellipse;
 use crate::halfspace::{DisplacementField, Edge, Polynomial, ResponseError, Traction};
 use crate::solid::Solid;
 
-/// Why a die has no solution.
+/// Error of a die without a solution.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DieError {

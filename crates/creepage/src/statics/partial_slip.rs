@@ -1,4 +1,4 @@
-//! Two bodies in contact, shifted against each other, with slip at the edge (3.222).
+//! Tangential shift of two bodies in contact with slip at the edge (3.222), after Cattaneo and Mindlin.
 
 use super::shift_compliances;
 use crate::Region;
@@ -9,7 +9,7 @@ use crate::halfspace::{
 };
 use crate::hertz::Hertz;
 
-/// Why there is no contact with partial slip.
+/// Error of a contact without partial slip.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PartialSlipError {

@@ -1,4 +1,4 @@
-//! A rectangle of uniform pressure, sheared to and fro: the law of a layer, with the bodies as its spring.
+//! Rectangle of uniform pressure, sheared to and fro: the law of a layer, with the bodies as its spring.
 
 use std::f64::consts::PI;
 
@@ -52,7 +52,7 @@ pub struct ShearedRectangle {
     state: Shearing,
 }
 
-/// What a rectangle does at the end of its path.
+/// State of a rectangle at the end of its path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shearing {
     /// Elastic.
@@ -75,7 +75,7 @@ impl Shearing {
     }
 }
 
-/// Why a force is not reached.
+/// Error of a force that is not reached.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ShearError {

@@ -1,4 +1,4 @@
-//! Two bodies in contact, shifted to and fro: what they did before decides where they slip.
+//! Path of tangential shifts to and fro (Mindlin and Deresiewicz): what the bodies did before decides where they slip.
 
 use super::partial_slip::{power_deficit, radius};
 use super::{PartialSlipError, shift_compliances};
@@ -15,7 +15,7 @@ pub enum ShiftAxis {
     Y,
 }
 
-/// Where a step of a path ends.
+/// End of a step of a path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ShiftEnd {
     /// At a tangential force of the upper body on the lower (N).
@@ -180,7 +180,7 @@ impl ShiftPath {
     /// # Errors
     /// As [`ShiftPath::to`].
     pub fn to_end(&mut self, end: ShiftEnd) -> Result<(), PartialSlipError> {
-        self.go(self.load(), end)
+        self.apply_step(self.load(), end)
     }
 
     /// Goes on until the load is `normal_force` (N) and `end` is reached, both in proportion: the force with the load, a
@@ -197,7 +197,7 @@ impl ShiftPath {
             let (quantity, value) = ("normal_force", normal_force);
             return Err(InvalidValue { quantity, value, valid }.into());
         }
-        self.go(load, end)
+        self.apply_step(load, end)
     }
 
     /// Load (N).
@@ -276,7 +276,7 @@ impl ShiftPath {
         }
     }
 
-    fn go(&mut self, load: f64, end: ShiftEnd) -> Result<(), PartialSlipError> {
+    fn apply_step(&mut self, load: f64, end: ShiftEnd) -> Result<(), PartialSlipError> {
         let (over, target) = match end {
             ShiftEnd::Force(force) => (Over::Load, check::finite("force", force)? / self.limit),
             ShiftEnd::Shift(shift) => (Over::Approach, check::finite("shift", shift)? / self.unit),
@@ -293,8 +293,8 @@ impl ShiftPath {
             if (target - self.at[own]).abs() > ROUNDING * over.of(before) {
                 self.slip(over, target);
             }
-        } else if load < before || !self.press(load, before, over, target) {
-            self.follow(load, before, over, target);
+        } else if load < before || !self.grow_without_slip(load, before, over, target) {
+            self.change_load(load, before, over, target);
         }
         self.at = [Over::Load, Over::Approach].map(|over| self.sum(over));
         self.at[own] = target;
@@ -303,7 +303,7 @@ impl ShiftPath {
     }
 
     /// A load that grows brings its own share of the step, unless that is beyond friction.
-    fn press(&mut self, load: f64, before: f64, over: Over, target: f64) -> bool {
+    fn grow_without_slip(&mut self, load: f64, before: f64, over: Over, target: f64) -> bool {
         let width = load - before;
         let share = (target - self.sum(over)) / over.step(load, width);
         let holds = share.abs() <= 1.0;
@@ -336,7 +336,7 @@ impl ShiftPath {
     /// A load that goes to `load`. Where it falls it takes the outermost shares away, and surfaces slip from the outside
     /// in where what goes with them is not what the step asks for. Where it grows all of what it adds slips.
     #[allow(clippy::float_cmp)] // shares that slip has set have the same bits
-    fn follow(&mut self, load: f64, before: f64, over: Over, target: f64) {
+    fn change_load(&mut self, load: f64, before: f64, over: Over, target: f64) {
         let mut now = before;
         // The share that would come or go with the load alone.
         let asked = (self.sum(over) - target) / (over.of(now) - over.of(load));

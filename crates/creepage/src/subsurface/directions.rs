@@ -1,4 +1,4 @@
-//! The integral over the directions of the surface.
+//! Quadrature over the directions of the surface: sums over equal steps, a double exponential rule where the integrand is sharp.
 //!
 //! The integrand is periodic and, away from the edge of the contact, smooth: sums over equal
 //! steps converge geometrically, and are halved until two agree. Close to the edge, beside it at
@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::wave::{Source, Wave};
 
 /// Steps over half a turn, at most.
-const STEPS: usize = 256;
+const MAX_DIRECTIONS: usize = 256;
 /// Steps of the coarsest sum.
 const COARSEST: usize = 16;
 /// Two sums that agree to this part of the traction are right to much better: the error of the
@@ -35,10 +35,10 @@ pub(super) struct DiscPoint {
 
 impl Directions {
     pub(super) fn new(source: &Source) -> Self {
-        let angle = |k: usize| PI * k as f64 / STEPS as f64;
+        let angle = |k: usize| PI * k as f64 / MAX_DIRECTIONS as f64;
         let slender = source.ellipse.g() < 0.1;
         // Equal steps are of no use to a slender ellipse.
-        let steps = if slender { 0 } else { STEPS };
+        let steps = if slender { 0 } else { MAX_DIRECTIONS };
         Self { waves: (0..steps).map(|k| source.wave(angle(k))).collect(), slender }
     }
 
@@ -73,9 +73,10 @@ impl Directions {
             }
             total
         };
-        let mut stride = STEPS / COARSEST;
-        let mean =
-            |sum: [f64; N], stride: usize| sum.map(|s| s * PI * stride as f64 / STEPS as f64);
+        let mut stride = MAX_DIRECTIONS / COARSEST;
+        let mean = |sum: [f64; N], stride: usize| {
+            sum.map(|s| s * PI * stride as f64 / MAX_DIRECTIONS as f64)
+        };
         let mut coarse = mean(add(0, stride), stride);
         while stride > 1 {
             let fine = mean(add(stride / 2, stride), stride / 2);

@@ -1,4 +1,4 @@
-//! The field of constant tractions on polygons, in closed form.
+//! Field of constant tractions on polygons, in closed form.
 //!
 //! A derivative along the surface of an integral over a polygon is an integral along its sides, so
 //! the field is a sum over sides, each with the *jump* of the traction across it: a side that two

@@ -1,4 +1,4 @@
-//! Constant tractions on polygons.
+//! Elements of constant traction on polygons.
 
 use super::edges::EdgeLoad;
 use crate::check::{self, InvalidValue};
@@ -10,7 +10,7 @@ pub struct Element {
     traction: [f64; 3],
 }
 
-/// Why a polygon cannot carry a traction.
+/// Error of a polygon that cannot carry a traction.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ElementError {

@@ -1,4 +1,4 @@
-//! The field far from the contact: that of point forces on the surface (Boussinesq, Cerruti).
+//! Far field of the contact: that of point forces on the surface (Boussinesq, Cerruti).
 //!
 //! Far away the closed forms lose their digits and overflow at last. What a traction looks like from
 //! there is a few point forces with its lowest moments; their fields are written in the direction to

@@ -10,7 +10,7 @@ use super::spectrum::Spectrum;
 use super::stress::Stress;
 use crate::check::{self, InvalidValue};
 
-/// Why a grid gives no stresses.
+/// Error of a grid without stresses.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GridError {

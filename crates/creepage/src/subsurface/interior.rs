@@ -1,4 +1,4 @@
-//! One body under the tractions on its surface.
+//! Interior field of one body under the tractions on its surface.
 
 use std::f64::consts::PI;
 
@@ -15,7 +15,7 @@ use crate::halfspace::{Edge, Polynomial, PolynomialError, Traction};
 use crate::hertz::Hertz;
 use crate::solid::Solid;
 
-/// Which of the two bodies.
+/// One of the two bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Body {
     /// The body into which `z` points; tractions act on it as they are given.
@@ -35,7 +35,7 @@ impl Body {
     }
 }
 
-/// Why the field inside a body cannot be given.
+/// Error of a field inside a body.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InteriorError {

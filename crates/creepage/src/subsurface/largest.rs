@@ -1,4 +1,4 @@
-//! The largest of a measure of stress in a block, and where it sits.
+//! Search for the largest value of a measure of stress in a block, and its place.
 
 use rayon::prelude::*;
 
@@ -7,11 +7,11 @@ use super::stress::Stress;
 use crate::check::{self, InvalidValue};
 
 /// Points of the first look at each side of the block.
-const POINTS: usize = 9;
+const SCAN_POINTS: usize = 9;
 /// How many of the best of them are looked at closer.
 const FOLLOWED: usize = 3;
 /// Points of a closer look, either way along each axis.
-const NEAR: i32 = 2;
+const REFINED_REACH: i32 = 2;
 /// Closer looks, each of half the size.
 const LOOKS: usize = 18;
 
@@ -56,11 +56,11 @@ pub fn largest(
     let quick = |point: [f64; 3]| Ok(of(point, interior.at(point)?.stress));
     let at = |point: [f64; 3]| Ok(of(point, interior.stress(point)?));
     let side = |axis: usize, k: usize| {
-        let t = k as f64 / (POINTS - 1) as f64;
+        let t = k as f64 / (SCAN_POINTS - 1) as f64;
         low[axis] + (high[axis] - low[axis]) * if axis == 2 { t * t } else { t }
     };
-    let first = (0..POINTS.pow(3)).into_par_iter().map(|k| {
-        let place = [k % POINTS, k / POINTS % POINTS, k / POINTS.pow(2)];
+    let first = (0..SCAN_POINTS.pow(3)).into_par_iter().map(|k| {
+        let place = [k % SCAN_POINTS, k / SCAN_POINTS % SCAN_POINTS, k / SCAN_POINTS.pow(2)];
         quick([0, 1, 2].map(|axis| side(axis, place[axis])))
     });
     let mut seen = first.collect::<Result<Vec<_>, _>>()?;
@@ -82,14 +82,15 @@ fn look_closer(
     [low, high]: [[f64; 3]; 2],
     at: &(impl Fn([f64; 3]) -> Result<Largest, InvalidValue> + Sync),
 ) -> Result<Largest, InvalidValue> {
-    let (mut best, mut step) = (start, 0.5 / (POINTS - 1) as f64);
-    let side = 2 * NEAR + 1;
+    let (mut best, mut step) = (start, 0.5 / (SCAN_POINTS - 1) as f64);
+    let side = 2 * REFINED_REACH + 1;
     for _ in 0..LOOKS {
         let centre = best.point;
         let around = (0..side.pow(3)).into_par_iter().map(|k| {
             let place = [k % side, k / side % side, k / side.pow(2)];
             at([0, 1, 2].map(|axis| {
-                let moved = f64::from(place[axis] - NEAR) * step * (high[axis] - low[axis]);
+                let moved =
+                    f64::from(place[axis] - REFINED_REACH) * step * (high[axis] - low[axis]);
                 (centre[axis] + moved).clamp(low[axis], high[axis])
             }))
         });

@@ -1,4 +1,4 @@
-//! Sides of elements and point forces, several at a time: stress and displacement together.
+//! Fields of sides of elements and of point forces, several at a time: stress and displacement together.
 //!
 //! The same closed forms as of [`super::edges`] and [`super::far`], in plain arithmetic that compiles
 //! to SIMD.

@@ -1,4 +1,4 @@
-//! Inside the bodies: displacement, strain and stress at any depth, (2.3)-(2.16).
+//! Subsurface fields: displacement, strain and stress at any depth, (2.3)-(2.16).
 //!
 //! Each body is a half-space, so its field is one integral over the tractions on its surface
 //! (2.7), (2.13). For a polynomial traction on the ellipse that integral is done in closed form

@@ -30,7 +30,7 @@ pub struct SurfaceSlip {
     waves: Waves,
 }
 
-/// What (4.41) gives at one point of the edge.
+/// Slip (4.41) at one point of the edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EdgePoint {
     /// The point.

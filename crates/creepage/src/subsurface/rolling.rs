@@ -1,4 +1,4 @@
-//! The bodies of a rolling contact under the tractions of a theory.
+//! Subsurface fields of a rolling contact under the tractions of a theory.
 
 use super::element::{Element, ElementError};
 use super::interior::{Body, Interior, InteriorError};
@@ -10,7 +10,7 @@ use crate::solid::Solid;
 use crate::theory::Solved;
 use crate::theory::field::{Patch, mean};
 
-/// Why a solved contact has no field below.
+/// Error of a solved contact without a field below.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RollingError {

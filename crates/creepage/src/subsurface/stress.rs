@@ -1,4 +1,4 @@
-//! A state of stress, and what engineers read from it.
+//! Stress tensor, and what engineers read from it.
 
 use nalgebra::Matrix3;
 

@@ -1,4 +1,4 @@
-//! Elements far from a point taken together.
+//! Tree of elements: those far from a point are taken together.
 //!
 //! Elements are sorted into boxes that are halved again and again. For points away from a box its
 //! tractions are point forces at the nodes of Gauss's rule, `N` by `N`, with the same moments up to

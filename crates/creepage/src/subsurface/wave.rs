@@ -1,4 +1,4 @@
-//! The part of a traction that varies in one direction of the surface only.
+//! Plane waves of a traction: its part that varies in one direction of the surface only.
 //!
 //! A traction on the ellipse is a superposition over the directions of the surface: in each, it is
 //! the sum over the lines across (Radon's transform), and the half-space answers with a field of

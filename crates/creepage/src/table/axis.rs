@@ -1,4 +1,4 @@
-//! The nodes along `a/b` and along Poisson's ratio, and interpolation over them.
+//! Axes of a table along `a/b` and along Poisson's ratio, and interpolation over them.
 
 use crate::InvalidValue;
 

@@ -1,4 +1,4 @@
-//! Where the force bends most from node to node, and so a table errs most.
+//! Search for the cells where the force bends most from node to node, and so a table errs most.
 
 use super::values::{Intervals, Values};
 

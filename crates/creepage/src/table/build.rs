@@ -1,14 +1,11 @@
-//! Building a table.
+//! Construction of a table: the theory at all nodes, in parallel, and the table's measured error.
 
-use crate::{Contact, Ellipse, Theory};
-
-use super::accuracy::Accuracy;
 use super::coordinates::Coordinates;
-use super::error::BuildError;
 use super::in_memory::Table;
-use super::measure::Measure;
+use super::measure::{Accuracy, Measure};
 use super::spec::Spec;
 use super::values::Values;
+use crate::{Contact, Ellipse, InvalidValue, Theory};
 
 /// Builds a table, on all cores, and measures its error.
 ///
@@ -57,4 +54,35 @@ fn fits<E: std::error::Error>(theory: &dyn Theory, a_over_b: f64) -> Result<(), 
         }
     }
     Ok(())
+}
+
+/// Error of a table's build.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum BuildError<E: std::error::Error> {
+    /// A number of the [`Spec`] makes no sense.
+    #[error(transparent)]
+    Invalid(#[from] InvalidValue),
+    /// The theory cannot be prepared for a node.
+    #[error("{0}")]
+    Theory(E),
+    /// Doubling a tiny creepage does not double the force.
+    #[error(
+        "the theory's force is not in proportion to tiny creepage at a/b = {a_over_b}, as \
+             interpolation from zero needs"
+    )]
+    NotLinearAtZero {
+        /// The ratio of the node.
+        a_over_b: f64,
+    },
+    /// The force at infinite creepage is above `mu N`.
+    #[error(
+        "the theory's force is {size} mu N at infinite creepage, a/b = {a_over_b}: there is no \
+             table to infinity of it"
+    )]
+    Unbounded {
+        /// The ratio of the node.
+        a_over_b: f64,
+        /// Largest force in parts of `mu N`.
+        size: f64,
+    },
 }

@@ -1,4 +1,4 @@
-//! Where a creepage lies in a table: from zero to infinity in a box.
+//! Coordinates of a creepage in a table: from zero to infinity in a box.
 //!
 //! Creepages are scaled, `u = (s_x xi, s_y eta, s_z chi)`, and turned into spherical coordinates
 //! about the spin's axis. What bends the force most then lies at about the same place for every

@@ -1,4 +1,4 @@
-//! A table as a file: NetCDF (classic format), which xarray, MATLAB and ncdump open.
+//! File of a table: NetCDF (classic format), which xarray, MATLAB and ncdump open.
 //!
 //! The last variable, `checksum`, is the CRC-32 of all bytes before it: a file that was cut
 //! short, changed, or saved again by another program is distinguished from a whole one before any of it
@@ -10,13 +10,13 @@ use std::rc::Rc;
 
 use netcdf3::{DataSet, FileReader, FileWriter, InvalidDataSet, ReadError, Version, WriteError};
 
-use super::accuracy::{Accuracy, Spread};
 use super::axis::Axis;
 use super::in_memory::{Provenance, Table};
+use super::measure::{Accuracy, Spread};
 use super::spec::Spec;
 use super::values::{Intervals, Values};
 
-/// Why bytes are not a table, or a table cannot be laid out as bytes.
+/// Error of bytes that are not a table, or of a table that cannot be laid out as bytes.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FileError {

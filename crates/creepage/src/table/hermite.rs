@@ -1,4 +1,4 @@
-//! Interpolation between two nodes from values and slopes.
+//! Hermite interpolation between two nodes from values and slopes.
 //!
 //! Along an angle, measured by `s` from the middle of an interval, the functions are
 //! `1, cos s, sin s, sin 2s`: a force that is linear in the creepage, as all are near zero, depends

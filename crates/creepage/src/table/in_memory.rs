@@ -1,15 +1,15 @@
-//! A table in memory.
+//! Table in memory, with its provenance.
 
 use crate::InvalidValue;
 
-use super::accuracy::Accuracy;
 use super::axis::{Axis, Logarithms, Window};
 use super::coordinates::Coordinates;
 use super::hermite::Angle;
+use super::measure::Accuracy;
 use super::slopes::{self, Node};
 use super::values::{Intervals, Values};
 
-/// Where a table comes from.
+/// Provenance of a table.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Provenance {
     /// Name of the theory.

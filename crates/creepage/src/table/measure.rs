@@ -1,15 +1,12 @@
-//! Measures the error of a table when it is built.
+//! Accuracy of a table against its theory, measured at random and at hard places when it is built.
 
-use crate::{Contact, Ellipse, Theory};
-use rayon::prelude::*;
-
-use super::accuracy::{Accuracy, Spread};
 use super::bends;
-
+use super::build::BuildError;
 use super::coordinates::Coordinates;
-use super::error::BuildError;
 use super::in_memory::Table;
 use super::spec::Spec;
+use crate::{Contact, Ellipse, Theory};
+use rayon::prelude::*;
 
 /// How many random places share a theory, where each must be prepared for its shape and Poisson's
 /// ratio.
@@ -18,7 +15,7 @@ const SHARED: usize = 24;
 /// Errors of force and moment.
 type Errors = Vec<[f64; 2]>;
 
-/// What is measured, and who hears of every place.
+/// Measurement of a table's error, with its progress callback.
 pub(crate) struct Measure<'a, P> {
     pub(crate) table: &'a Table,
     pub(crate) prepare: P,
@@ -96,5 +93,44 @@ impl Random {
         bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         (((bits ^ (bits >> 31)) >> 11) as f64) / (1_u64 << 53) as f64
+    }
+}
+
+/// Distribution of an error.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Spread {
+    /// Half of the random places err by less.
+    pub median: f64,
+    /// 95 of 100 random places err by less.
+    pub p95: f64,
+    /// 99 of 100 random places err by less.
+    pub p99: f64,
+    /// Largest of all, random and hard.
+    pub worst: f64,
+}
+
+/// The error of a table against its theory, none of it at a node: at places spread at random and
+/// evenly over the table's coordinates, and at hard ones, the middles of the cells where the
+/// force bends most, half-way between shapes and Poisson's ratios.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Accuracy {
+    /// Number of random places.
+    pub places: usize,
+    /// Number of hard places.
+    pub hard_places: usize,
+    /// Length of the difference of `(f_x, f_y)`, in parts of `mu N`.
+    pub force: Spread,
+    /// Size of the difference of `m_z`, in parts of `mu N c`.
+    pub moment: Spread,
+}
+
+impl Spread {
+    pub(crate) fn new(mut random: Vec<f64>, hard: &[f64]) -> Self {
+        random.sort_unstable_by(f64::total_cmp);
+        let at = |hundredths: usize| {
+            random.get(random.len() * hundredths / 100).copied().unwrap_or_default()
+        };
+        let worst = random.iter().chain(hard).copied().fold(0.0, f64::max);
+        Self { median: at(50), p95: at(95), p99: at(99), worst }
     }
 }

@@ -48,12 +48,10 @@
 #[cfg(doc)]
 use crate::Theory;
 
-mod accuracy;
 mod axis;
 mod bends;
 mod build;
 mod coordinates;
-mod error;
 mod file;
 mod hermite;
 mod in_memory;
@@ -64,12 +62,11 @@ mod spec;
 mod theory;
 mod values;
 
-pub use accuracy::{Accuracy, Spread};
 pub use axis::Axis;
-pub use build::build;
-pub use error::BuildError;
+pub use build::{BuildError, build};
 pub use file::FileError;
 pub use in_memory::{Provenance, Table};
+pub use measure::{Accuracy, Spread};
 pub use slice::{Shape, Slice};
 pub use spec::Spec;
 pub use theory::TableTheory;

@@ -1,4 +1,4 @@
-//! How a table is asked: at one shape and one Poisson's ratio, then at creepages.
+//! Slice of a table: look-up at one shape and one Poisson's ratio, then at creepages.
 
 use crate::InvalidValue;
 use crate::{Creepage, Force};

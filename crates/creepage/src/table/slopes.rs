@@ -1,5 +1,4 @@
-//! From forces at nodes to all that interpolation needs of them: slopes along the three
-//! coordinates and their mixed derivatives.
+//! Slopes at the nodes of a table, from its forces: along the three coordinates and their mixed derivatives.
 //!
 //! Beyond the ends of the angles the nodes go on as mirror images, so that slopes there are as
 //! good as inside. Without spin, slopes along `t` are held so small that the force between

@@ -1,4 +1,4 @@
-//! What table to build.
+//! Specification of a table to build.
 
 use crate::InvalidValue;
 
@@ -6,7 +6,7 @@ use super::axis::Axis;
 use super::in_memory::Provenance;
 use super::values::{Intervals, Values};
 
-/// What table to build.
+/// Specification of a table to build.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spec {
     /// Nodes along the ratio of semi-axes.

@@ -1,4 +1,4 @@
-//! A table at one contact, as a theory.
+//! Table at one contact, as a theory.
 
 use super::in_memory::Table;
 use super::slice::Slice;

@@ -1,4 +1,4 @@
-//! The forces at the nodes of one shape and one Poisson's ratio.
+//! Forces at the nodes of one shape and one Poisson's ratio.
 
 use crate::{Creepage, Force, Status, Theory};
 use rayon::prelude::*;

@@ -1,4 +1,4 @@
-//! The temperature of both surfaces in steady rolling: friction as a moving source of heat.
+//! Temperature of both surfaces in steady rolling: friction as a moving source of heat.
 //!
 //! With `beta = sqrt(lambda rho c)` the effusivity of a body, `V` the speed at which its surface passes the
 //! contact, and `q(x) = |p_t| s V` what friction turns to heat on an area, both surfaces of a contact have
@@ -28,7 +28,7 @@ use std::f64::consts::PI;
 
 use crate::check::{self, InvalidValue};
 
-/// How a body conducts and stores heat.
+/// Thermal properties of a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ThermalSolid {
     conductivity: f64,

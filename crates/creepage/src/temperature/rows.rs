@@ -1,4 +1,4 @@
-//! Rows of elements that are rubbed, and the integral over what lies ahead.
+//! Heated rows of elements, and the integral over the heat that was set free ahead.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! The theories that take contact areas of any shape, as wheelsets and histories prepare them.
+//! Theories that take contact areas of any shape, as wheelsets and histories prepare them.
 
 use super::spec::{ExactOptions, NamedResolution, ResolutionSpec, TheoryError, TheorySpec};
 use crate::InvalidValue;

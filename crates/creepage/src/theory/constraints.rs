@@ -1,4 +1,4 @@
-//! What an inverse problem prescribes, and why it may have no answer.
+//! Constraints of an inverse problem, and the errors of those that have no answer.
 
 use crate::check::InvalidValue;
 use crate::creepage::{Creepage, Force};
@@ -20,7 +20,7 @@ pub struct Constraints {
     pub mz: Option<f64>,
 }
 
-/// Why an inverse problem has no answer.
+/// Error of an inverse problem without an answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InverseError {

@@ -1,7 +1,6 @@
-//! What a user should know of every theory, in one place: the command, the guide, Python and C show
-//! it from here.
+//! Facts of every theory that a user should know, in one place: the command, the guide, Python and C show it from here.
 
-/// What a user should know of a theory.
+/// Facts of a theory that a user should know.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[allow(clippy::struct_excessive_bools)] // facts that do not depend on one another

@@ -1,6 +1,6 @@
-//! What happens at one point.
+//! Field at one point of the contact: traction, slip, and whether the surface sticks.
 
-/// Does the surface stick or slide at a point?
+/// State of the surface at a point: stick or slip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Region {
     /// Area of adhesion: no slip, traction below the bound.

@@ -1,18 +1,16 @@
-//! What every theory of rolling contact can be asked.
+//! Traits of every theory of rolling contact: [`Theory`], prepared for a contact, and [`Solved`], its solution.
 //!
 //! A theory is prepared once for a [`Contact`] and asked many times: [`Theory::solve`] gives a
 //! [`Solution`], [`Theory::solved`] keeps the solved contact for further questions ([`Solved`]).
 
 mod areas;
 mod constraints;
-mod differences;
 mod facts;
 pub(crate) mod field;
 mod spec;
 
 pub use areas::AreaTheory;
 pub use constraints::{Constraints, InverseError};
-pub(crate) use differences::differences;
 pub use facts::TheoryFacts;
 pub use field::{FieldPoint, Patch, Region};
 pub use spec::{
@@ -24,7 +22,7 @@ use crate::contact::Contact;
 use crate::coulomb::ElementField;
 use crate::creepage::{Creepage, Force};
 
-/// Whether a force may be trusted.
+/// Trustworthiness of a force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Status {
@@ -60,7 +58,7 @@ impl Status {
     }
 }
 
-/// What a solution cost.
+/// Cost of a solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Statistics {
     /// Steps of the theory's iteration: sweeps over the strips, Newton steps. Zero for a theory in
@@ -147,7 +145,7 @@ pub trait Theory: Send + Sync {
     }
 }
 
-/// A number that only one theory gives, such as the value of its functional.
+/// Diagnostic number that only one theory gives, such as the value of its functional.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Diagnostic {
     /// Its key in `report.json`.
@@ -259,4 +257,25 @@ impl<T: Theory> Solved for Stateless<'_, T> {
     fn regions(&self, positions: &[[f64; 2]]) -> Vec<Region> {
         self.theory.regions(self.creepage, positions)
     }
+}
+
+/// The derivative of a force by central differences of `part` of each component of the creepage, or of
+/// one where that is smaller.
+pub(crate) fn differences(
+    creepage: Creepage,
+    part: f64,
+    force: impl Fn(Creepage) -> [f64; 3],
+) -> Jacobian {
+    let at = creepage.components();
+    let columns = [0, 1, 2].map(|k| {
+        let step = part * at[k].abs().max(1.0);
+        let [ahead, behind] = [step, -step].map(|step| {
+            let mut moved = at;
+            moved[k] += step;
+            let [xi, eta, chi] = moved;
+            force(Creepage { xi, eta, chi })
+        });
+        [0, 1, 2].map(|i| (ahead[i] - behind[i]) / (2.0 * step))
+    });
+    std::array::from_fn(|i| std::array::from_fn(|k| columns[k][i]))
 }

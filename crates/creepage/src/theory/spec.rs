@@ -1,4 +1,4 @@
-//! Which theory, with which options: one specification for case files, command, Python and C.
+//! Specification of a theory with its options: one for case files, command, Python and C.
 
 use std::fmt;
 
@@ -417,7 +417,7 @@ impl ExactOptions {
     }
 }
 
-/// Why a theory cannot be prepared.
+/// Error of a theory that cannot be prepared.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TheoryError {
@@ -459,7 +459,7 @@ pub enum TheoryError {
     },
 }
 
-/// A name that no theory has.
+/// Error of a name that no theory has.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnknownTheory {
     /// The name.

@@ -1,4 +1,4 @@
-//! Contact areas of any shape that keep their shape while they roll.
+//! Transient rolling of contact areas of any shape that keep their shape.
 
 use super::elements::{Elements, Surface};
 use super::rolling::{Rolling, remembered};

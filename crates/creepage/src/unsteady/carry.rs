@@ -1,4 +1,4 @@
-//! Rolling that goes on on other areas: a contact that moves over its bodies, grows, splits or joins.
+//! Transfer of a rolling contact's state to other areas: a contact that moves over its bodies, grows, splits or joins.
 //!
 //! What a contact remembers are displacements of the surfaces. On other areas those of the tractions before are
 //! computed at the new points, by the same sums over elements as everywhere: tractions are carried, displacements
@@ -7,7 +7,7 @@
 
 use std::collections::VecDeque;
 
-use super::history::{Creep, Level};
+use super::history::{Creep, TimeLevel};
 use super::level::TransientLevel;
 use super::motion::Motion;
 use super::rolling::Rolling;
@@ -48,7 +48,7 @@ impl Rolling {
     pub fn carry(&mut self, scaling: Scaling, before: &[Before<'_>]) {
         let is_alone = matches!(before, [one] if one.keeps_all());
         for (level, track) in self.tracks.iter_mut().enumerate() {
-            let mut all: Option<VecDeque<Level>> = None;
+            let mut all: Option<VecDeque<TimeLevel>> = None;
             for one in before {
                 let old = &one.rolling.tracks[level];
                 let levels = if is_alone { old.tractions.len().max(1) } else { 1 };
@@ -104,7 +104,7 @@ impl Before<'_> {
         new: &TransientLevel,
         to: Scaling,
         count: usize,
-    ) -> VecDeque<Level> {
+    ) -> VecDeque<TimeLevel> {
         let own = self.scaling;
         let centroids = &old.grid.pressure.centroids;
         let goes_on: Vec<bool> =
@@ -143,7 +143,7 @@ impl Before<'_> {
         displacements
             .into_iter()
             .zip(steps)
-            .map(|(displacement, (step, creep, smooth))| Level {
+            .map(|(displacement, (step, creep, smooth))| TimeLevel {
                 length: step * length,
                 scale: 1.0,
                 creep: self.creep(creep, to),
@@ -156,7 +156,7 @@ impl Before<'_> {
 }
 
 /// Displacements of two contacts that go on as one.
-fn added(mut sum: VecDeque<Level>, other: VecDeque<Level>) -> VecDeque<Level> {
+fn added(mut sum: VecDeque<TimeLevel>, other: VecDeque<TimeLevel>) -> VecDeque<TimeLevel> {
     for (sum, other) in sum.iter_mut().zip(other) {
         let parts = sum.displacement.iter_mut().zip(&other.displacement);
         for (sum, other) in parts {
@@ -206,7 +206,7 @@ mod tests {
     }
 
     const GIVEN: [f64; 3] = [-1e-3, 5e-4, 0.1];
-    const STEP: f64 = 2e-3;
+    const STEP_LENGTH: f64 = 2e-3;
 
     /// Forces (N) after a step of the length, from where a contact is.
     fn rolled(rolling: &mut Rolling, scaling: Scaling, y: f64, length: f64) -> [f64; 2] {
@@ -223,13 +223,13 @@ mod tests {
     fn the_same_contact_goes_on_as_it_did() {
         let contact = roller(0.0, 40e3);
         let (mut before, scaling) = pressed(&contact);
-        rolled(&mut before, scaling, 0.0, STEP);
+        rolled(&mut before, scaling, 0.0, STEP_LENGTH);
         let (mut after, _) = pressed(&contact);
         let of = Before { rolling: &before, scaling, origin: [0.0; 2], goes_on: KEEPS };
         after.carry(scaling, &[of]);
         assert!((after.distance() - before.distance()).abs() < 1e-12);
         let [carried, gone_on] =
-            [&mut after, &mut before].map(|one| rolled(one, scaling, 0.0, STEP));
+            [&mut after, &mut before].map(|one| rolled(one, scaling, 0.0, STEP_LENGTH));
         // The same past, whose displacements are summed in another order; iterations stop at 1e-7.
         let missed = apart(carried, gone_on, scaling);
         assert!(missed < 1e-5, "{missed}: {carried:?} {gone_on:?}");
@@ -240,12 +240,12 @@ mod tests {
     fn coordinates_do_not_matter() {
         let (old, new) = (roller(0.0, 40e3), roller(4e-3, 40e3));
         let (mut before, scaling) = pressed(&old);
-        rolled(&mut before, scaling, 0.0, STEP);
+        rolled(&mut before, scaling, 0.0, STEP_LENGTH);
         let (mut after, to) = pressed(&new);
         let of = Before { rolling: &before, scaling, origin: [0.0, 4e-3], goes_on: KEEPS };
         after.carry(to, &[of]);
-        let carried = rolled(&mut after, to, -4e-3, STEP);
-        let gone_on = rolled(&mut before, scaling, 0.0, STEP);
+        let carried = rolled(&mut after, to, -4e-3, STEP_LENGTH);
+        let gone_on = rolled(&mut before, scaling, 0.0, STEP_LENGTH);
         // The pressing finds the area on another grid: to 1e-3.
         let missed = apart(carried, gone_on, scaling);
         assert!(missed < 2e-3, "{missed}: {carried:?} {gone_on:?}");
@@ -255,7 +255,7 @@ mod tests {
     #[test]
     fn forces_do_not_jump() {
         let (mut before, scaling) = pressed(&roller(0.0, 40e3));
-        let last = rolled(&mut before, scaling, 0.0, STEP);
+        let last = rolled(&mut before, scaling, 0.0, STEP_LENGTH);
         for (shift, load, most) in [(0.0, 40e3, 1e-3), (5e-5, 40.2e3, 1e-2), (5e-6, 40.02e3, 2e-3)]
         {
             let (mut after, to) = pressed(&roller(0.0, load));
@@ -272,7 +272,7 @@ mod tests {
     fn parts_join() {
         let contact = roller(0.0, 40e3);
         let (mut before, scaling) = pressed(&contact);
-        rolled(&mut before, scaling, 0.0, STEP);
+        rolled(&mut before, scaling, 0.0, STEP_LENGTH);
         let [low, high] = [|[_, y]: [f64; 2]| y < 0.0, |[_, y]: [f64; 2]| y >= 0.0];
         let of = |goes_on| Before { rolling: &before, scaling, origin: [0.0; 2], goes_on };
         let (mut joined, _) = pressed(&contact);
@@ -287,7 +287,8 @@ mod tests {
         {
             assert!((one - other).abs() < 1e-12 * largest);
         }
-        let [one, other] = [&mut joined, &mut alone].map(|one| rolled(one, scaling, 0.0, STEP));
+        let [one, other] =
+            [&mut joined, &mut alone].map(|one| rolled(one, scaling, 0.0, STEP_LENGTH));
         // Of parts only what they are at counts, and particles look back to there.
         let missed = apart(one, other, scaling);
         assert!(missed < 2e-3, "{missed}: {one:?} {other:?}");

@@ -1,6 +1,6 @@
-//! How long the next step may be: as long as the forces go on nearly as they did.
+//! Step size control: steps are as long as the forces go on nearly as they did.
 
-/// What a step leads to, as far as its length matters.
+/// Result of a step, as far as its length matters.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Watched {
     /// In parts of the present `mu N`.
@@ -9,7 +9,7 @@ pub(crate) struct Watched {
     pub found: [f64; 3],
 }
 
-/// Where that came from.
+/// Trend of the results over the last step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Trend {
     pub watched: Watched,
@@ -17,7 +17,7 @@ pub(crate) struct Trend {
     pub rate: Option<[f64; 3]>,
 }
 
-/// The choice of step lengths.
+/// Step size controller.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Control {
     pub next: f64,

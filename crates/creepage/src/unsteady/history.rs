@@ -1,4 +1,4 @@
-//! What is remembered of the past: displacements at the centres, and how the bodies moved.
+//! History of a rolling contact: displacements at the centres, and how the bodies moved, level by level.
 
 use std::collections::VecDeque;
 
@@ -7,7 +7,7 @@ pub(crate) type Creep = [f64; 3];
 
 /// The state of the contact at the end of a step.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Level {
+pub(crate) struct TimeLevel {
     /// Distance of the step.
     pub length: f64,
     /// Size of the contact over that of its nominal load, at the end of the step.
@@ -25,10 +25,9 @@ pub(crate) struct Level {
 
 /// Levels from the latest to the oldest, at which the past begins.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Past(pub VecDeque<Level>);
+pub(crate) struct Past(pub VecDeque<TimeLevel>);
 
-/// How a value at some distance back is interpolated: the factor of the present one, and levels with
-/// theirs.
+/// Interpolation weights at some distance back: the factor of the present one, and levels with theirs.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Weights {
     pub present: f64,

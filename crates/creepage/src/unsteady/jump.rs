@@ -1,9 +1,9 @@
-//! What happens between two steps: forces and loads that jump.
+//! Jumps of forces and loads between two steps.
 
 use super::history::Creep;
 use super::level::Stage;
 use super::motion::{Motion, Prescribed};
-use super::rolling::{Rolling, Travel};
+use super::rolling::{Rolling, RollingState};
 use crate::coulomb::influence::Tractions;
 
 /// A change of the load by more than this fraction is a jump.
@@ -15,8 +15,8 @@ const JUMP: f64 = 0.05;
 impl Rolling {
     /// Whether motion and load go on without a jump; a prescribed force that jumps has shifted the
     /// bodies then.
-    pub(super) fn go_on(&mut self, motion: &Motion) -> bool {
-        let Travel { next_load, motion: last, .. } = self.travel;
+    pub(super) fn continues(&mut self, motion: &Motion) -> bool {
+        let RollingState { next_load, motion: last, .. } = self.travel;
         if next_load > 0.0 && self.force_jumps(motion) {
             self.shift_on(motion);
             return false;
@@ -26,7 +26,7 @@ impl Rolling {
 
     /// Whether the next load follows without a jump.
     pub(super) fn load_is_smooth(&self) -> bool {
-        let Travel { load, next_load, .. } = self.travel;
+        let RollingState { load, next_load, .. } = self.travel;
         (next_load - load).abs() <= SMOOTH_LOAD * load
     }
 

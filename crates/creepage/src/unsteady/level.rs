@@ -1,10 +1,10 @@
-//! The contact on one grid of elements, rolled on step by step.
+//! Transient solver on one grid of elements, step by step.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
 
 use super::elements::Elements;
-use super::history::{Creep, Level, Past};
+use super::history::{Creep, Past, TimeLevel};
 use super::motion::Motion;
 use super::predictor::Predictor;
 use super::system::System;
@@ -31,7 +31,7 @@ pub(crate) struct TransientLevel {
     pub predictor: Predictor,
 }
 
-/// Which equations hold.
+/// Stage of a step: the equations that hold.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Stage {
     /// The contact is shifted and does not roll; `begins` without traction.
@@ -42,7 +42,7 @@ pub(crate) enum Stage {
     Step { length: f64, scale: f64, smooth: bool },
 }
 
-/// What the solution of one grid adds up to, in the units of the nominal load.
+/// Force and power of one grid's solution, in the units of the nominal load.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Result {
     pub creep: Creep,
@@ -103,7 +103,7 @@ impl TransientLevel {
                 let creep = [0.0; 3];
                 let friction = [vec![], vec![], vec![]];
                 let level =
-                    Level { length: 0.0, scale, creep, smooth: false, displacement, friction };
+                    TimeLevel { length: 0.0, scale, creep, smooth: false, displacement, friction };
                 let past = Past(std::iter::once(level).collect());
                 System::of_step(elements, &past, f64::INFINITY, scale, false)
             }
@@ -129,19 +129,21 @@ impl TransientLevel {
     /// Solves a stage for a motion, after the coarser grid if there is one: whether friction is obeyed
     /// and prescribed forces are met.
     pub(crate) fn solve(&mut self, stage: Stage, motion: &Motion, coarse: Option<&Self>) -> bool {
-        self.state.go_on();
+        self.state.keep_tractions_only();
         self.predictor.slope = None;
-        let Stage::Step { length, smooth, .. } = stage else { return self.meet(motion) };
+        let Stage::Step { length, smooth, .. } = stage else {
+            return self.solve_prescribed(motion);
+        };
         let last = self.creep;
         self.predict((length, smooth), coarse);
-        if self.meet(motion) {
+        if self.solve_prescribed(motion) {
             return true;
         }
         // The prediction misled: from where the last step ended.
         self.predictor.take_back(&mut self.state.traction);
-        self.state.go_on();
+        self.state.keep_tractions_only();
         self.creep = last;
-        self.meet(motion)
+        self.solve_prescribed(motion)
     }
 
     /// Goes to where the end of a step is likely to be.
@@ -206,7 +208,7 @@ impl TransientLevel {
             Stage::Step { length, scale, smooth } => {
                 self.past.forget_beyond(self.reach(scale));
                 self.past.0.push_front(self.level(length, scale, smooth));
-                self.predictor.learn(length, &self.state.traction);
+                self.predictor.record_step(length, &self.state.traction);
             }
             Stage::Shift { .. } => {
                 self.predictor.restart();
@@ -258,7 +260,7 @@ impl TransientLevel {
     }
 
     /// The present displacements.
-    fn level(&self, length: f64, scale: f64, smooth: bool) -> Level {
+    fn level(&self, length: f64, scale: f64, smooth: bool) -> TimeLevel {
         let unit = scale * scale;
         let mut displacement = self.elements.displacements.by(&self.state.traction);
         for (k, by_traction) in displacement.iter_mut().enumerate() {
@@ -267,6 +269,6 @@ impl TransientLevel {
             }
         }
         let (creep, friction) = (self.creep, self.friction());
-        Level { length, scale, creep, smooth, displacement, friction }
+        TimeLevel { length, scale, creep, smooth, displacement, friction }
     }
 }

@@ -1,4 +1,4 @@
-//! Two cylinders with parallel axes, Carter's contact: one strip of elements as long as the
+//! Transient line contact of two cylinders with parallel axes, Carter's contact: one strip of elements as long as the
 //! cylinders, its displacements taken in the middle.
 //!
 //! How far two bodies are shifted by a force along a line depends on its length, by a logarithm: so

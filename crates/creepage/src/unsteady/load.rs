@@ -1,5 +1,5 @@
-//! A load that changes while the contact rolls: in a straight line over a step, in parts within which
-//! the contact grows or shrinks by little.
+//! Varying load in transient rolling: in a straight line over a step, in parts within which the contact grows or shrinks
+//! by little.
 
 use super::motion::{Motion, Prescribed};
 

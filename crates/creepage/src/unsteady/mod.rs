@@ -1,4 +1,4 @@
-//! Rolling that is not steady: a contact that remembers.
+//! Transient rolling: a contact that remembers.
 //!
 //! With `q` the distance rolled, the slip of the upper body over the lower is (4.15b)
 //!
@@ -18,17 +18,15 @@ mod carry;
 mod control;
 mod elements;
 mod fastsim;
-mod find;
-mod friction;
 mod history;
 mod jump;
 mod level;
 mod line;
 mod load;
-mod meet;
 mod motion;
 mod particle;
 mod predictor;
+mod prescribed_forces;
 mod rigid;
 mod rolling;
 mod saved;

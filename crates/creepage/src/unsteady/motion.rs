@@ -1,9 +1,9 @@
-//! How the bodies move in a step.
+//! Motion of the bodies in a step: creepage or force of each component.
 
 use crate::Creepage;
 use crate::check::{self, InvalidValue};
 
-/// What is prescribed of one component of the motion; the other of the two is the result.
+/// Prescribed creepage or force of one component of the motion; the other of the two is the result.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Prescribed {
     /// The creepage: `xi`, `eta` or `chi`.
@@ -12,8 +12,8 @@ pub enum Prescribed {
     Force(f64),
 }
 
-/// How the bodies move in a step: of each component the creepage or the force, dimensionless in the
-/// units of the contact's nominal load.
+/// Motion of the bodies in a step: of each component the creepage or the force, dimensionless in the units of the
+/// contact's nominal load.
 ///
 /// ```
 /// use creepage::unsteady::{Motion, Prescribed};

@@ -1,4 +1,4 @@
-//! Where the particle that is now at an element's centre was before, and between which points of
+//! Particle paths: where the particle that is now at an element's centre was before, and between which points of
 //! displacement.
 //!
 //! A particle moves against the rolling direction, and the contact may grow and shrink around it.

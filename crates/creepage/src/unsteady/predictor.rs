@@ -1,4 +1,4 @@
-//! Where the solution of a step is likely to be: tractions and creepages from which it is sought.
+//! Predictor of a step's solution: tractions and creepages from which it is sought.
 //!
 //! They go on as in the last step, in proportion to its length; on the finer grid comes what the coarser
 //! has found to differ from that, so that a jump of the motion is foreseen too.
@@ -9,7 +9,7 @@ use super::history::{Creep, Past};
 use crate::coulomb::influence::Tractions;
 use crate::coulomb::mesh::Mesh;
 
-/// How the contact changed in the last step.
+/// Change of the contact in the last step.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Trend {
     pub length: f64,
@@ -133,7 +133,7 @@ impl Predictor {
     }
 
     /// Learns how a step of `length` has changed the tractions, where one was predicted.
-    pub(crate) fn learn(&mut self, length: f64, traction: &Tractions) {
+    pub(crate) fn record_step(&mut self, length: f64, traction: &Tractions) {
         let mut change = std::mem::take(&mut self.begin);
         let now = traction.own.iter().flatten();
         change.iter_mut().zip(now).for_each(|(change, now)| *change = now - *change);

@@ -1,14 +1,14 @@
-//! The rigid motion on the way back from the present.
+//! Rigid motion of the bodies against each other, integrated backwards from the present.
 
 use super::history::{Ages, Past};
 
-/// The motion along a way, integrated: `xi`, `eta`, `chi`, and `chi` times the distance back.
-pub(crate) type Way = [f64; 4];
+/// Rigid slip along a way, integrated: `xi`, `eta`, `chi`, and `chi` times the distance back.
+pub(crate) type RigidSlip = [f64; 4];
 
 /// The same of a unit of creepage in the present step: its length, and its moment.
 type Present = [f64; 2];
 
-/// How far the bodies have moved against each other since the end of every level.
+/// Rigid displacement of the bodies against each other since the end of every level.
 ///
 /// Between these ends it is interpolated as displacements are: for adhering particles the two are the
 /// same, and would differ to first order in the step if the creepage were the mean of a step here and
@@ -19,7 +19,7 @@ pub(crate) struct RigidMotion<'a> {
     ages: &'a Ages,
     length: f64,
     /// Since the end of each level, without the present step.
-    since: Vec<Way>,
+    since: Vec<RigidSlip>,
 }
 
 impl<'a> RigidMotion<'a> {
@@ -31,7 +31,7 @@ impl<'a> RigidMotion<'a> {
     }
 
     /// From a distance back to the present: by the past, and by a unit of creepage in the present step.
-    pub(crate) fn back_to(&self, age: f64) -> (Way, Present) {
+    pub(crate) fn back_to(&self, age: f64) -> (RigidSlip, Present) {
         let weights = self.ages.weights(age);
         if !weights.is_curved {
             return (along(self.past, self.ages, age), part(age.min(self.length)));
@@ -46,7 +46,7 @@ impl<'a> RigidMotion<'a> {
 }
 
 /// The past motion from a distance back on.
-fn along(past: &Past, ages: &Ages, to: f64) -> Way {
+fn along(past: &Past, ages: &Ages, to: f64) -> RigidSlip {
     let mut sums = [0.0; 4];
     for (level, start) in past.0.iter().zip(&ages.back[1..]) {
         if *start >= to {

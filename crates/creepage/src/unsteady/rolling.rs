@@ -1,4 +1,4 @@
-//! The full theory of rolling that is not steady: a state that rolls on.
+//! Full theory of transient rolling on two grids: a state that rolls on.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use crate::friction_law::RollingFriction;
 use crate::theory::{Solution, Statistics, Status};
 use crate::{Contact, Creepage, FieldPoint, Region};
 
-/// What a step leads to, dimensionless in the units of the contact's nominal load.
+/// Result of a step, dimensionless in the units of the contact's nominal load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rolled {
     /// Distance rolled since the beginning, in units of `c`.
@@ -47,12 +47,12 @@ pub struct Rolled {
 pub struct Rolling {
     pub(super) tracks: [TransientLevel; 2],
     pub(super) control: Control,
-    pub(super) travel: Travel,
+    pub(super) travel: RollingState,
 }
 
-/// Where the contact is, how it is loaded and how it last moved.
+/// State of rolling: where the contact is, how it is loaded and how it last moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Travel {
+pub(super) struct RollingState {
     pub distance: f64,
     /// Normal force over the nominal one, now and from the next step on.
     pub load: f64,
@@ -63,7 +63,7 @@ pub(super) struct Travel {
     pub force: [f64; 3],
 }
 
-impl Travel {
+impl RollingState {
     /// Nothing rolled, no traction.
     fn begin(load: f64) -> Self {
         Self { distance: 0.0, load, next_load: load, motion: None, force: [0.0; 3] }
@@ -102,7 +102,7 @@ impl Rolling {
         let mut tracks = elements.map(|elements| TransientLevel::new(Arc::new(elements)));
         let [coarse, fine] = tracks.each_ref().map(|track| &track.grid.mesh);
         tracks[1].predictor = Predictor::of_finer(coarse, fine);
-        Self { tracks, control, travel: Travel::begin(1.0) }
+        Self { tracks, control, travel: RollingState::begin(1.0) }
     }
 
     /// Starts anew under another normal force, over the nominal one, without traction.
@@ -113,7 +113,7 @@ impl Rolling {
         self.press(load)?;
         let scale = if load > 0.0 { load.cbrt() } else { 1.0 };
         self.tracks.iter_mut().for_each(|track| track.begin(scale));
-        self.travel = Travel::begin(load);
+        self.travel = RollingState::begin(load);
         self.control.restart();
         Ok(())
     }
@@ -190,7 +190,7 @@ impl Rolling {
     /// [`InvalidValue`] unless the distance is positive and all numbers are finite.
     pub fn step(&mut self, distance: f64, motion: &Motion) -> Result<Rolled, InvalidValue> {
         self.check(distance, motion)?;
-        let mut smooth = self.go_on(motion);
+        let mut smooth = self.continues(motion);
         if !smooth {
             self.control.restart();
         }
@@ -224,7 +224,7 @@ impl Rolling {
     /// As [`Rolling::step`].
     pub fn advance(&mut self, distance: f64, motion: &Motion) -> Result<Rolled, InvalidValue> {
         self.check(distance, motion)?;
-        let smooth = self.go_on(motion) && self.load_is_smooth();
+        let smooth = self.continues(motion) && self.load_is_smooth();
         let rolled = self.try_step(distance, self.travel.next_load, motion, smooth, false);
         Ok(rolled.unwrap_or_else(|| self.rolled(false)))
     }
@@ -304,8 +304,8 @@ impl Rolling {
         self.control.restart();
         let distance = self.travel.distance + length;
         let next_load = self.travel.next_load;
-        let begin = Travel::begin(0.0);
-        self.travel = Travel { distance, next_load, motion: Some(*motion), ..begin };
+        let begin = RollingState::begin(0.0);
+        self.travel = RollingState { distance, next_load, motion: Some(*motion), ..begin };
         let [xi, eta, chi] = motion.components().map(|one| one.creepage().unwrap_or(0.0));
         Rolled {
             distance: self.travel.distance,

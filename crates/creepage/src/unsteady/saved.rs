@@ -1,22 +1,22 @@
-//! The state of a contact, kept to go on from it again: for a step that a larger program rejects, or
-//! as bytes for a run that is interrupted.
+//! Saved state of a contact, to go on from it again: for a step that a larger program rejects, or as bytes for a run
+//! that is interrupted.
 
 use std::collections::VecDeque;
 
 use super::control::{Control, Trend, Watched};
 use super::fastsim::{self, RollingFastsim};
-use super::history::{Level, Past};
+use super::history::{Past, TimeLevel};
 use super::motion::{Motion, Prescribed};
 use super::predictor;
-use super::rolling::{Rolling, Travel};
+use super::rolling::{Rolling, RollingState};
 use super::variational::{RollingVariational, State};
 
-/// What a contact remembers.
+/// Saved state of a contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Saved {
     tracks: [SavedTrack; 2],
     control: Control,
-    travel: Travel,
+    travel: RollingState,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -30,7 +30,7 @@ struct SavedTrack {
     trend: Option<predictor::Trend>,
 }
 
-/// Why bytes are no state of a contact.
+/// Error of bytes that are no state of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SavedError {
@@ -69,7 +69,7 @@ impl Rolling {
     pub fn restore(&mut self, saved: &Saved) -> Result<(), SavedError> {
         let fits = |(track, saved): (&super::level::TransientLevel, &SavedTrack)| {
             let (elements, points) = (track.elements.all.len(), track.elements.points());
-            let whole = |level: &Level| level.fits(points, elements);
+            let whole = |level: &TimeLevel| level.fits(points, elements);
             saved.traction.len() == 2 * elements
                 && saved.limits.len() == elements
                 && saved.trend.as_ref().is_none_or(|trend| trend.change.len() == 2 * elements)
@@ -97,7 +97,7 @@ impl Saved {
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut out = Numbers::default();
-        let Travel { distance, load, next_load, motion, force } = self.travel;
+        let RollingState { distance, load, next_load, motion, force } = self.travel;
         out.all(&[distance, load, next_load]);
         out.all(&force);
         out.motion(motion);
@@ -130,7 +130,7 @@ impl Saved {
         let next = from.next()?;
         let trend = if flag(from)? { Some(trend(from)?) } else { None };
         let tracks = [SavedTrack::read(from)?, SavedTrack::read(from)?];
-        let travel = Travel { distance, load, next_load, motion, force };
+        let travel = RollingState { distance, load, next_load, motion, force };
         Some(Self { tracks, control: Control { next, trend, ..control }, travel })
     }
 }
@@ -141,7 +141,7 @@ impl RollingFastsim {
     /// What the contact remembers, as bytes.
     #[must_use]
     pub fn save(&self) -> Vec<u8> {
-        let fastsim::Travel { distance, loads, creep, force } = self.travel;
+        let fastsim::RollingState { distance, loads, creep, force } = self.travel;
         let past = self.past.clone();
         let track = SavedTrack { past, creep, traction: vec![], limits: vec![], trend: None };
         let mut out = Numbers(vec![distance]);
@@ -159,12 +159,12 @@ impl RollingFastsim {
         let from = &mut numbers(bytes, FASTSIM).ok_or(SavedError::NoState)?;
         let [distance, now, next, fx, fy, mz] = several(from).ok_or(SavedError::NoState)?;
         let SavedTrack { past, creep, .. } = SavedTrack::read(from).ok_or(SavedError::NoState)?;
-        let whole = |level: &Level| level.fits(self.size(), self.size());
+        let whole = |level: &TimeLevel| level.fits(self.size(), self.size());
         if past.0.is_empty() || !past.0.iter().all(whole) {
             return Err(SavedError::OtherElements);
         }
         let (loads, force) = ([now, next], [fx, fy, mz]);
-        (self.past, self.travel) = (past, fastsim::Travel { distance, loads, creep, force });
+        (self.past, self.travel) = (past, fastsim::RollingState { distance, loads, creep, force });
         Ok(())
     }
 }
@@ -208,7 +208,7 @@ fn rolled_state(from: &mut impl Iterator<Item = f64>) -> Option<State> {
     Some(State { distance, unresolved, creep, force, motion, now, before })
 }
 
-impl Level {
+impl TimeLevel {
     /// Whether it has so many points of displacement, and friction of so many elements if of any.
     fn fits(&self, points: usize, elements: usize) -> bool {
         self.displacement.iter().all(|u| u.len() == points)
@@ -252,7 +252,7 @@ impl SavedTrack {
         let mut past = VecDeque::new();
         for _ in 0..levels {
             let [length, scale, smooth, xi, eta, chi] = several(from)?;
-            past.push_back(Level {
+            past.push_back(TimeLevel {
                 length,
                 scale,
                 creep: [xi, eta, chi],

@@ -1,5 +1,4 @@
-//! The slip of every element in one step: what the past drives, what the creepage does, and how it
-//! depends on the tractions.
+//! Slip equations of one step: what the past drives, what the creepage does, and how slip depends on the tractions.
 //!
 //! With `U` the displacements of a particle now, one step of elements upstream and two, and `W` the
 //! rigid slips over the ways between, averaged:
@@ -12,9 +11,9 @@
 //! Where the second way is cut short by the beginning of the past, the correction grows with it.
 
 use super::elements::{Element, Elements};
-use super::history::{Ages, Creep, Level, Past, Weights};
+use super::history::{Ages, Creep, Past, TimeLevel, Weights};
 use super::particle::{Particles, Sample};
-use super::rigid::{RigidMotion, Way};
+use super::rigid::{RigidMotion, RigidSlip};
 
 /// The equations of one step, in the units of the contact's present size.
 #[derive(Debug, Clone, Default)]
@@ -55,7 +54,7 @@ impl System {
     }
 
     /// No rolling: the slip is a shift, `xi` and `eta` its components.
-    pub(crate) fn of_shift(elements: &Elements, level: &Level) -> Self {
+    pub(crate) fn of_shift(elements: &Elements, level: &TimeLevel) -> Self {
         let scale = level.scale;
         let unit = (scale * scale).recip();
         let mut system = Self { scale, ..Self::default() };
@@ -102,7 +101,7 @@ impl Step<'_> {
         let by_first = (1.0 + correction) / g1;
         let [(way, own), (whole, both)] = [g1, to].map(|age| self.motion.back_to(age));
         let by_way = by_first + by_second;
-        let moved: Way = std::array::from_fn(|k| by_way * way[k] - by_second * whole[k]);
+        let moved: RigidSlip = std::array::from_fn(|k| by_way * way[k] - by_second * whole[k]);
         let present = [0, 1].map(|k| (by_way * own[k] - by_second * both[k]) / self.scale);
         system.present.push(present);
         let mut slip = self.rigid(element, moved);
@@ -132,7 +131,7 @@ impl Step<'_> {
     }
 
     /// Slip by rigid motion that is known.
-    fn rigid(&self, element: &Element, [xi, eta, chi, moment]: Way) -> [f64; 2] {
+    fn rigid(&self, element: &Element, [xi, eta, chi, moment]: RigidSlip) -> [f64; 2] {
         let [x, y] = [element.x * self.scale, element.y * self.scale];
         [(xi - chi * y) / self.scale, (eta + chi * x + moment) / self.scale]
     }
@@ -202,7 +201,7 @@ impl Step<'_> {
     }
 }
 
-impl Level {
+impl TimeLevel {
     /// Displacement of a point.
     pub(crate) fn at(&self, point: usize) -> [f64; 2] {
         [self.displacement[0][point], self.displacement[1][point]]

@@ -1,5 +1,4 @@
-//! The numerical theory of chapter 5 for rolling that is not steady, the last proposal of the thesis
-//! (6.2).
+//! Transient rolling by the numerical theory of chapter 5, the last proposal of the thesis (6.2).
 //!
 //! The slip of (4.15b) has one term more than that of steady rolling, `-du/dq`. At the end of a step of
 //! length `h` it is a difference backwards between displacements at one place of the contact,
@@ -25,8 +24,8 @@
 //! `xi = 0.6`, `eta = -0.4`, `chi = 0.8` it ends 0.09 and 0.02 off.
 
 use super::history::Creep;
-use super::meet::{Accuracy, meet};
 use super::motion::Motion;
+use super::prescribed_forces::{Accuracy, solve_prescribed};
 use super::rolling::{Rolled, no_layer};
 use crate::check::{self, InvalidValue};
 use crate::theory::{Solution, Statistics, Status};
@@ -69,7 +68,7 @@ pub struct RollingVariational {
     state: State,
 }
 
-/// What the contact remembers.
+/// State that the contact remembers.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct State {
     pub distance: f64,
@@ -249,7 +248,8 @@ impl RollingVariational {
             (found, force)
         };
         let accuracy = Accuracy { tolerance: 1e-7, difference: 1e-5 };
-        let (creep, found, met) = meet(motion.components(), self.state.creep, accuracy, solve);
+        let (creep, found, met) =
+            solve_prescribed(motion.components(), self.state.creep, accuracy, solve);
         self.remember(stage, motion, creep, &found);
         let [xi, eta, chi] = creep;
         let (rubbing, solution) = (Rubbing::of(&found), found.solution);

@@ -1,4 +1,4 @@
-//! Linear theory of creepage that comes and goes as `exp(2 pi i q / wavelength)`: all adheres.
+//! Linear theory of harmonic creepage `exp(2 pi i q / wavelength)`: all adheres.
 //!
 //! With all amplitudes complex, the displacement of a particle grows from one point of displacement to
 //! the next downstream, `g` apart, by the rigid slip on its way:

@@ -1,4 +1,4 @@
-//! Displacements that change (4.15b): the numerical theory of one step of rolling that is not steady.
+//! Transient step of the numerical theory: displacements that change (4.15b).
 
 use nalgebra::DVector;
 
@@ -17,7 +17,7 @@ pub(crate) struct Changing {
     displacements: Displacements,
 }
 
-/// What a solution of a step adds up to.
+/// Force and power of a step's solution.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Rubbing {
     /// Share of the mesh points that adhere.

@@ -8,7 +8,7 @@ use super::own_integrand::OwnIntegrand;
 use super::power_integrand;
 use crate::Creepage;
 
-/// What is integrated.
+/// Form of the integrand.
 #[derive(Clone, Copy)]
 pub(super) enum Form<'a> {
     /// `T S` (5.9).

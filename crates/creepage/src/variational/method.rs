@@ -1,11 +1,11 @@
-//! The ways to the minimum.
+//! Methods of minimization, and the limits of each.
 
 use super::functional::Form;
 use super::newton::{self, Minimum, Step};
 use super::{Limits, NewtonStep, Start, Variational, VariationalSolution, newton_1967, power};
 use crate::Creepage;
 
-/// Which formulation is solved, and how.
+/// Formulation that is solved, and its solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Method {
     /// (5.9), or the least loss of power where the [bound](super::TractionBound) is kept, by

@@ -1,11 +1,11 @@
-//! Minimization of `I`: Newton's method with damping, which never fails.
+//! Minimization of `I` by Newton's method with Marquardt's damping, which never fails.
 
 use nalgebra::{Cholesky, DVector};
 
 use super::Limits;
 use super::functional::{Expansion, Functional};
 
-/// Where the damped iteration stands when it ends.
+/// State of the damped iteration when it ends.
 pub(super) struct Minimum {
     pub(super) tau: DVector<f64>,
     pub(super) iterations: usize,

@@ -1,4 +1,4 @@
-//! An integrand of the user's own, `f(x, y, a, b, T, S)` of 5.22, in place of `T S`.
+//! User-defined integrand, `f(x, y, a, b, T, S)` of 5.22, in place of `T S`.
 
 use std::fmt;
 use std::sync::Arc;
@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::VariationalError;
 use super::integrand::{self, Integrand, IntegrandTerms, State};
 
-/// What an integrand may depend on.
+/// Arguments that an integrand may depend on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IntegrandArguments {
     /// `(x, y)` in units of `c = sqrt(a b)`.
@@ -76,12 +76,12 @@ impl OwnIntegrand {
     fn check_terms(&self, position: [f64; 2], t: f64, s: f64) -> Result<(), VariationalError> {
         /// Steps relative to `T` and `S`: difference quotients are then good to about 1e-10 of
         /// the quotient for anything like a power.
-        const STEP: f64 = 1e-5;
+        const DIFFERENCE_STEP: f64 = 1e-5;
         const TOLERANCE: f64 = 1e-6;
         let terms = |t, s| self.terms(position, t, s);
         let here = terms(t, s);
-        let by_t = [terms(t * (1.0 - STEP), s), terms(t * (1.0 + STEP), s)];
-        let by_s = [terms(t, s * (1.0 - STEP)), terms(t, s * (1.0 + STEP))];
+        let by_t = [terms(t * (1.0 - DIFFERENCE_STEP), s), terms(t * (1.0 + DIFFERENCE_STEP), s)];
+        let by_s = [terms(t, s * (1.0 - DIFFERENCE_STEP)), terms(t, s * (1.0 + DIFFERENCE_STEP))];
         let f: Part = |terms| terms.f;
         let f_t: Part = |terms| terms.t;
         let f_s: Part = |terms| terms.s;
@@ -92,7 +92,7 @@ impl OwnIntegrand {
             ("f*.", here.ts, f_t, by_s, s),
             ("f..", here.ss, f_s, by_s, s),
         ] {
-            let difference = (part(&high) - part(&low)) / (2.0 * STEP * at);
+            let difference = (part(&high) - part(&low)) / (2.0 * DIFFERENCE_STEP * at);
             let size = part(&here).abs() / at + given.abs();
             let agrees = (given - difference).abs() <= TOLERANCE * size;
             if !(agrees && here.f.is_finite() && given.is_finite()) {

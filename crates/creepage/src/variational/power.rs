@@ -1,4 +1,4 @@
-//! The way to the least loss of power: through integrands with rounder slips.
+//! Minimization of the power loss by continuation: through integrands with rounder slips.
 
 use nalgebra::DVector;
 

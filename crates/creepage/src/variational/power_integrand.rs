@@ -1,4 +1,4 @@
-//! Least loss of power: a functional with one minimum, for slender contacts.
+//! Integrand of the power loss: a functional with one minimum, for slender contacts.
 //!
 //! Tractions within their bound leave `Z |s| - X.s >= 0` everywhere, and zero where Coulomb's law
 //! holds. Summed over the contact the elastic part of the slip takes no power, `X.du/dx`

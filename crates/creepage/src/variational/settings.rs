@@ -1,4 +1,4 @@
-//! What the numerical theory of chapter 5 lets its user choose.
+//! Settings of the numerical theory of chapter 5.
 
 use crate::check::InvalidValue;
 
@@ -109,7 +109,7 @@ impl Default for Settings {
     }
 }
 
-/// When an iteration ends (5.12c), and when it is given up.
+/// Stopping criteria of an iteration (5.12c).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// `delta`: the iteration ends when the largest change of an unknown is below `delta` times
@@ -131,7 +131,7 @@ impl Default for Limits {
     }
 }
 
-/// Why the numerical theory cannot be prepared.
+/// Error of preparing the numerical theory.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum VariationalError {

@@ -1,4 +1,4 @@
-//! A solution of the numerical theory, and how good it is.
+//! Solution of the numerical theory, and how good it is.
 
 use super::discretization::Discretization;
 use super::newton::Minimum;

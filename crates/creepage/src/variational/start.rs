@@ -1,4 +1,4 @@
-//! Where the iteration starts.
+//! Start of the iteration.
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 

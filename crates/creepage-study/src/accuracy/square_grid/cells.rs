@@ -1,4 +1,4 @@
-//! Which cells of the box lie in the contact, and what they bear.
+//! Cells of the square grid inside the contact, and their pressure.
 
 use std::ops::Range;
 

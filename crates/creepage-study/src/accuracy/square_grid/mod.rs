@@ -1,4 +1,4 @@
-//! A plain grid of equal cells: the usual way to solve the full theory, to measure `exact` by.
+//! Square-grid solver of the full theory: equal cells over the contact, the usual method, to measure `exact` by.
 
 mod cells;
 mod response;

@@ -1,4 +1,4 @@
-//! Elastic slip of a cell by tractions in another: a function of how far they are apart.
+//! Influence coefficients of the square grid: slip of a cell by tractions in another, a function of their distance.
 
 use std::f64::consts::PI;
 

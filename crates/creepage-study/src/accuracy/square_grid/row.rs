@@ -1,11 +1,12 @@
-//! Friction in one row of cells, the others held: a semismooth Newton method.
+//! Row solver of the square grid: friction in one row of cells, the others held, by a semismooth Newton method.
 
 use nalgebra::{DMatrix, DVector, Dyn, LU, Matrix2};
 
 use super::cells::Cells;
 use super::response::Responses;
 
-const STEPS: usize = 30;
+/// Semismooth Newton steps in one row of cells.
+const MAX_NEWTON_STEPS: usize = 30;
 /// Steps below this size leave the factors good enough to use again.
 const CHORD: f64 = 0.02;
 /// Weight of slip against traction in the projection, over a cell's own response.
@@ -46,7 +47,7 @@ impl Row {
         tractions: &mut [Vec<f64>; 2],
     ) -> Option<f64> {
         let mut largest = 0.0_f64;
-        for _ in 0..STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             let projections = self.project(responses, &slip, tractions);
             let slides: Vec<_> = projections.iter().map(Option::is_some).collect();
             let switched = slides != self.slides;

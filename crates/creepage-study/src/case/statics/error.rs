@@ -1,4 +1,4 @@
-//! What can be wrong with a problem of statics.
+//! Errors of statics files.
 
 use creepage::InvalidValue;
 use creepage::halfspace::ResponseError;
@@ -6,7 +6,7 @@ use creepage::statics::{DieError, PartialSlipError, ShearError};
 
 use crate::case::error::CaseError;
 
-/// Why a statics file has no solution; every message names the section and the key.
+/// Error of a statics file; every message names the section and the key.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StaticsError {
@@ -54,7 +54,7 @@ pub enum StaticsError {
         ratio: f64,
     },
     /// The areas of adhesion and slip of a compression do not settle.
-    #[error("[statics] problem \"compression\": the areas of adhesion and slip do not settle")]
+    #[error("[statics] problem \"compression\": the areas of adhesion and slip do not converge")]
     NotSettled,
     /// An upper body where the problem has none.
     #[error("section [upper] has no place in problem \"die\": the die is rigid")]

@@ -1,4 +1,4 @@
-//! Where a wheel stands under its loads: heights at one place, and how roll and yaw move it.
+//! Heights of a wheel under its loads at one place, and how roll and yaw move it.
 
 use creepage::normal::Resolution;
 use creepage_map::{HEIGHTS, HeightNode, ROLLS, TURNS, Turned, YAWS, interpolated};
@@ -13,15 +13,15 @@ const ASIDE: f64 = 2e-3;
 /// Where a contact hardly moves along the map, the nearer place is taken: so much of its distance counts.
 const FAR: f64 = 0.05;
 
-/// The wheel at one depth: height, load, and where the load acts on the rail, lateral and vertical.
+/// Wheel at one depth: height, load, and where the load acts on the rail, lateral and vertical.
 #[derive(Debug, Clone, Copy)]
-struct Level {
+struct PressedDepth {
     z: f64,
     load: f64,
     centre: [f64; 2],
 }
 
-impl Level {
+impl PressedDepth {
     fn of(image: Image, z: f64, stood: &PressedContacts<'_>) -> Self {
         let mut level = Self { z, load: 0.0, centre: [0.0; 2] };
         for (contact, normal) in stood {
@@ -108,7 +108,7 @@ fn column<'a>(
         let times = if level.load > 0.0 { (1.1 * most / level.load).cbrt().powi(2) } else { 2.0 };
         depth *= times.clamp(0.3, 3.0);
     }
-    let mut levels: Vec<Level> = Vec::with_capacity(HEIGHTS);
+    let mut levels: Vec<PressedDepth> = Vec::with_capacity(HEIGHTS);
     for k in 1..HEIGHTS {
         let deep = depth * k as f64 / (HEIGHTS - 1) as f64;
         let level = level((solver, image), at, rest + deep, near)?;
@@ -168,11 +168,11 @@ fn level<'a>(
     [y, roll, yaw]: [f64; 3],
     z: f64,
     near: &mut PressedContacts<'a>,
-) -> Result<Level, WheelsetError> {
+) -> Result<PressedDepth, WheelsetError> {
     let position = image.track(Position { y, z, roll, yaw });
     let side: Side = image.side();
     *near = solver.stand((side, position), Resolution::STANDARD, near)?;
-    Ok(Level::of(image, z, near))
+    Ok(PressedDepth::of(image, z, near))
 }
 
 /// The nodes: each finds its contact under a turn where, without it, the load lies nearest to it on the rail.

@@ -1,4 +1,4 @@
-//! A side of the track seen as a right-hand one.
+//! Right-hand image of a side of the track.
 
 use creepage_rail::{Position, Side, WheelsetOnTrack};
 

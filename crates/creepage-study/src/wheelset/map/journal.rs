@@ -1,5 +1,5 @@
-//! What of a map is built already: records that are appended to a file, each with its checksum. Whatever ends
-//! the process, only what is in hand is lost.
+//! Journal of a map's build: records that are appended to a file, each with its checksum. Whatever ends the process,
+//! only what is in hand is lost.
 
 use std::collections::HashMap;
 use std::fs::{File, TryLockError};

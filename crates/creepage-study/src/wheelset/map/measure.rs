@@ -1,15 +1,15 @@
-//! The error of a map on states drawn afresh: each solved by the full theory.
+//! Error of a map, measured on states drawn afresh: each solved by the full theory.
 
 use creepage_wheelset::{Load, PitchRate, SolvedWheel, WheelsetPose, WheelsetVelocity};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use creepage_map::{CellError, ContactMap, MapAccuracy, Pressed, Spread, State, WheelAnswer};
+use creepage_map::{CellError, ContactMap, HeightOrLoad, MapAccuracy, Spread, State, WheelAnswer};
 use creepage_rail::Side;
 use rayon::prelude::*;
 
 use super::{Builder, MapBuildError, MapStage, Wheel};
 
-/// Of one fresh state.
+/// Error of the map at one fresh state.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Missed {
     is_transition: bool,
@@ -80,7 +80,7 @@ impl Builder<'_> {
             y: sense * y,
             yaw: plan.yaw * random.both(),
             roll: Some(sense * (image.free_roll(y)? + ROLL * random.both())),
-            pressed: Pressed::Height(0.0),
+            pressed: HeightOrLoad::Height(0.0),
             speed: 20.0,
             pitch_rate: None,
             lateral_velocity: 0.0,
@@ -92,7 +92,7 @@ impl Builder<'_> {
         let own =
             if side == Side::Right { creepage_map::Side::Right } else { creepage_map::Side::Left };
         let Ok([z, _]) = map.height_under(own, &state, load) else { return Ok(None) };
-        let mut state = State { pressed: Pressed::Height(z), ..state };
+        let mut state = State { pressed: HeightOrLoad::Height(z), ..state };
         let creepages = [CREEPAGE * random.both(), CREEPAGE * random.both()];
         // Creepage is drawn about that of rolling without any: by one look at the map.
         let mut nominal = State { pitch_rate: Some(state.speed / self.head.radius), ..state };
@@ -110,7 +110,7 @@ impl Builder<'_> {
 
     fn exact(&self, side: Side, state: &State) -> Option<SolvedWheel> {
         let solver = self.solver.with_friction(state.friction);
-        let Pressed::Height(z) = state.pressed else { return None };
+        let HeightOrLoad::Height(z) = state.pressed else { return None };
         let stance = WheelsetPose {
             side: Some(side),
             y: state.y,

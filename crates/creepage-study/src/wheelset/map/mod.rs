@@ -1,5 +1,5 @@
-//! Builds the contact map of a wheelset: heights, then rolling nodes by bisection, then the error on states
-//! drawn afresh.
+//! Builder of the contact map of a wheelset: heights, then rolling nodes by bisection, then the error on states drawn
+//! afresh.
 
 mod heights;
 mod image;
@@ -18,8 +18,8 @@ use creepage::coulomb::Resolution;
 use creepage::normal;
 use creepage::table::Table;
 use creepage_map::{
-    CellError, ContactMap, HEIGHTS, Head, Heights, MapAccuracy, MapError, Pressed, RollingNode,
-    State, WheelMap,
+    CellError, ContactMap, HEIGHTS, Head, HeightOrLoad, Heights, MapAccuracy, MapError,
+    RollingNode, State, WheelMap,
 };
 use creepage_rail::{RailMotion, Side};
 use rayon::prelude::*;
@@ -32,7 +32,7 @@ use super::case::WheelsetCase;
 use super::error::{WheelsetFileError, section};
 use crate::case::CaseError;
 
-/// What map to build.
+/// Plan of a map: its ranges, resolutions and motions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MapPlan {
     /// Lateral positions of the wheelset from the track centre (m) that the map is to cover, to both sides; it
@@ -56,7 +56,7 @@ pub struct MapPlan {
     pub resolution: MapResolution,
 }
 
-/// How finely the contacts of a map are solved.
+/// Resolution of the contacts of a map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MapResolution {
     /// For a first look.
@@ -163,7 +163,7 @@ impl MapPlan {
     }
 }
 
-/// Why a map cannot be built.
+/// Error of a map's build.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum MapBuildError {
@@ -237,7 +237,7 @@ impl MapBuildError {
     }
 }
 
-/// How far a map is built.
+/// Stage of a map's build.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MapStage {
     /// Heights: places done, places in all.
@@ -248,7 +248,7 @@ pub enum MapStage {
     States(usize, usize),
 }
 
-/// Who hears how far a map is built; false stops it.
+/// Callback of a map's progress; false stops the build.
 pub type MapProgress<'a> = &'a (dyn Fn(MapStage) -> bool + Sync);
 
 /// What all parts of the builder know.
@@ -474,9 +474,9 @@ fn friction(case: &WheelsetCase) -> Result<f64, MapBuildError> {
 fn own(case: &WheelsetCase, friction: f64) -> Result<State, MapBuildError> {
     let (stance, travel) = (case.stance, case.travel.unwrap_or_default());
     let pressed = match stance.load {
-        Some(Load::Axle(load)) => Pressed::AxleLoad(load),
-        Some(Load::Wheel(load)) => Pressed::AxleLoad(2.0 * load),
-        Some(Load::Height(z)) => Pressed::Height(z),
+        Some(Load::Axle(load)) => HeightOrLoad::AxleLoad(load),
+        Some(Load::Wheel(load)) => HeightOrLoad::AxleLoad(2.0 * load),
+        Some(Load::Height(z)) => HeightOrLoad::Height(z),
         Some(Load::Wheels(_) | Load::Loaded { .. }) => {
             let what = "[wheelset] roll_moment, wheel_load_left, mass";
             return Err(MapBuildError::NotInMap { what });
@@ -504,8 +504,8 @@ fn own(case: &WheelsetCase, friction: f64) -> Result<State, MapBuildError> {
 /// Whether the place rises enough from a node to the next one.
 fn rises(nodes: &[Option<Stood>], from: usize, spacing: f64) -> bool {
     /// Part of the step of `y` by which a place must go on.
-    const LEAST: f64 = 0.05;
+    const MIN_RISE: f64 = 0.05;
     let pair = nodes.get(from).zip(nodes.get(from + 1));
     let pair = pair.and_then(|(from, to)| from.as_ref().zip(to.as_ref()));
-    pair.is_some_and(|(from, to)| to.place - from.place > LEAST * spacing)
+    pair.is_some_and(|(from, to)| to.place - from.place > MIN_RISE * spacing)
 }

@@ -1,4 +1,4 @@
-//! The contacts of a wheel at one place under one load: solved by the full theory in some thirty motions,
+//! Node of a map: the contacts of a wheel at one place under one load, solved by the full theory in some thirty motions,
 //! then two ellipses each.
 
 use creepage::coulomb::{NonHertzian, NonHertzianSolved, Resolution};
@@ -30,7 +30,7 @@ const LEAST_SPIN: f64 = 0.08;
 /// Contacts with a smaller part of the wheel's load are left out.
 const TRIFLE: f64 = 1e-3;
 
-/// The wheel at a place of its right-hand image, and what it is built by.
+/// Place of the right-hand image of a wheel, and the builder.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place<'a> {
     pub(super) image: Image<'a>,
@@ -168,7 +168,7 @@ impl Place<'_> {
             let given = scaling.creepage(ask(at)).map_err(CaseError::invalid("motion"));
             let given = given.map_err(MapBuildError::from_case)?;
             match &mut solved {
-                Some(solved) => solved.go_on(given, |_| [0.0; 2]),
+                Some(solved) => solved.resolve_at(given, |_| [0.0; 2]),
                 None => solved = Some(theory.solve(given)),
             }
             if let Some(solved) = &solved {

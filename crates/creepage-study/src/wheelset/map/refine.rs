@@ -1,12 +1,12 @@
-//! Rolling nodes along a wheel's places, halved until the middle of each cell is met.
+//! Refinement of a map: rolling nodes along a wheel's places, halved until the middle of each cell is met.
 
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use creepage_map::{
-    CellError, Heights, Patch, Pressed, RollingNode, State, WheelAnswer, WheelMap, interpolated,
-    slopes,
+    CellError, HeightOrLoad, Heights, Patch, RollingNode, State, WheelAnswer, WheelMap,
+    interpolated, slopes,
 };
 use creepage_rail::Side;
 use rayon::prelude::*;
@@ -27,8 +27,8 @@ pub(super) struct Rolled {
 /// How far beside a node (m) it is pressed again, for the slopes of its geometry.
 const DIFFERENCE_STEP: f64 = 2e-5;
 
-/// The nodes of a wheel, by `y` in steps.
-type Found = Mutex<BTreeMap<i64, Rolled>>;
+/// Solved nodes of a wheel, by `y` in steps.
+type SolvedNodes = Mutex<BTreeMap<i64, Rolled>>;
 
 impl Builder<'_> {
     /// The rolling nodes between two `y` (m) of the image.
@@ -52,7 +52,7 @@ impl Builder<'_> {
             return Err(MapBuildError::Short { places: 0 });
         }
         let count = AtomicUsize::new(0);
-        let found: Found = Mutex::default();
+        let found: SolvedNodes = Mutex::default();
         let node = |key: i64| -> Result<Rolled, MapBuildError> {
             let rolled = self.rolled((side, key), key as f64 * step, heights)?;
             let done = count.fetch_add(1, Ordering::Relaxed) + 1;
@@ -239,7 +239,7 @@ fn motions(middle: &Rolled, z: f64, radius: f64) -> impl Iterator<Item = State> 
         y: middle.y,
         yaw: 0.0,
         roll: Some(middle.roll),
-        pressed: Pressed::Height(z),
+        pressed: HeightOrLoad::Height(z),
         speed: 1.0,
         pitch_rate: Some(1.0 / rolling),
         lateral_velocity: 0.0,

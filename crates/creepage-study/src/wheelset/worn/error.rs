@@ -1,4 +1,4 @@
-//! Why wear over a distance cannot be computed.
+//! Errors of wear over a distance.
 
 use std::io;
 use std::path::PathBuf;
@@ -9,7 +9,7 @@ use crate::case::CaseError;
 use crate::error::ReportError;
 use crate::wheelset::WheelsetFileError;
 
-/// Why wear over a distance cannot be computed.
+/// Error of wear over a distance.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum WearError {

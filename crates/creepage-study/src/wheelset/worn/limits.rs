@@ -27,7 +27,7 @@ pub(super) struct LimitSection {
     conicity: Option<f64>,
 }
 
-/// What of a profile is measured.
+/// Measure of a profile.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum WearMeasure {
@@ -90,7 +90,7 @@ pub struct WearLimit {
     pub limit: f64,
 }
 
-/// Why a run ended before its distance.
+/// Reason of a run's end before its distance.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct WearEnd {
     /// What reached its limit.

@@ -1,6 +1,5 @@
 //! Wear over a distance: a wheelset in many situations, whose profiles are worn step by step.
 
-mod animation;
 mod error;
 mod limits;
 mod nodes;

@@ -1,4 +1,4 @@
-//! A profile that wears: its points, moved along the normal, and the depth that is taken off.
+//! Worn profile by its points: moved along the normal, and the depth that is taken off.
 
 use creepage_rail::{Profile, ProfileError, Role};
 use serde::{Deserialize, Serialize};
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 /// A kink of the profile (rad), which stays one.
 const KINK: f64 = 0.1;
 /// Points nearer, and farther apart, than these parts of their spacing are laid anew.
-const NEAR: f64 = 0.5;
+const MIN_SPACING: f64 = 0.5;
 const FAR: f64 = 2.0;
 /// Rounds in which the volume is made up; each leaves the change of a chord's length over a step.
 const ROUNDS: usize = 12;
@@ -65,7 +65,9 @@ impl Nodes {
             stations.extend(inner.map(|k: f64| run[0] + k * step));
             stations.push(run[1]);
         }
-        stations.dedup_by(|next, last| *next - *last < NEAR * NEAR * spacing && !is_kink(*next));
+        stations.dedup_by(|next, last| {
+            *next - *last < MIN_SPACING * MIN_SPACING * spacing && !is_kink(*next)
+        });
         let corners = (0..stations.len()).filter(|&k| is_kink(stations[k])).collect();
         let points: Vec<[f64; 2]> =
             stations.iter().map(|&s| curve.at(s)).map(|point| [point.y, point.z]).collect();
@@ -187,7 +189,8 @@ impl Nodes {
         let widest = steps().fold(0.0, f64::max);
         let narrowest = steps().fold(f64::INFINITY, f64::min);
         // Short runs between kinks have short steps from the start.
-        if widest < FAR * spacing && (narrowest > NEAR * spacing || !self.corners.is_empty()) {
+        if widest < FAR * spacing && (narrowest > MIN_SPACING * spacing || !self.corners.is_empty())
+        {
             return self;
         }
         let role = if self.radius.is_finite() { Role::Wheel } else { Role::Rail };

@@ -1,4 +1,4 @@
-//! The results of wear over a distance: tables, profiles, JSON.
+//! Results of wear over a distance: tables, profiles, JSON.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -7,9 +7,9 @@ use creepage_rail::file::{self, Format};
 use creepage_rail::{Profile, Role};
 use serde::Serialize;
 
-use super::animation::Animation;
 use super::error::WearError;
 use super::limits::WearEnd;
+use super::picture::Animation;
 use super::run::Wear;
 use super::section::WearPlan;
 use super::state::{WearStop, WornBody};

@@ -1,10 +1,9 @@
-//! The picture of worn profiles: the shape to scale, and the depth over the profile.
-
-use creepage_plot::{Axis, Label, Panel, Pen, Point, Sheet};
-use creepage_rail::Role;
+//! Pictures of worn profiles: the shape to scale, the depth over the profile, and an animation with one picture a stop.
 
 use super::run::Wear;
 use super::state::{WearStop, WornBody, WornProfile};
+use creepage_plot::{Axis, Frames, Label, Panel, Pen, Point, Sheet};
+use creepage_rail::Role;
 
 /// White around a profile (mm), and above the depth in parts of it.
 const AIR: f64 = 4.0;
@@ -103,4 +102,43 @@ fn range(points: &[[f64; 2]], axis: usize) -> [f64; 2] {
         .iter()
         .fold(start, |[low, high], point| [low.min(point[axis]), high.max(point[axis])]);
     [1e3 * low - AIR, 1e3 * high + AIR]
+}
+
+/// How long it plays, and the shortest and longest time of one picture (milliseconds).
+const DURATION: f64 = 6000.0;
+const EACH: [f64; 2] = [60.0, 800.0];
+/// How long the last picture stays (milliseconds).
+const LAST: u16 = 2000;
+
+/// The stops of a run one after the other, from the first with wear.
+pub(super) struct Animation(Vec<Sheet>);
+
+impl Animation {
+    /// `None` where no body of this kind wears, or with one stop alone.
+    pub(super) fn new(wear: &Wear, role: Role) -> Option<Self> {
+        let worn = wear.stops.get(1..).filter(|stops| stops.len() > 1)?;
+        let sheets = worn.iter().map(|stop| {
+            let sheet = wear.sheet(role, stop, &[stop])?;
+            Some(sheet.key(Pen::of(0), stop.way(role)).key(Pen::THIN, Label::new("new")))
+        });
+        sheets.collect::<Option<_>>().map(Self)
+    }
+}
+
+impl Frames for Animation {
+    fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    fn svg(&self, number: usize) -> String {
+        self.0[number].svg()
+    }
+
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // clamped
+    fn milliseconds(&self, number: usize) -> u16 {
+        if number + 1 == self.count() {
+            return LAST;
+        }
+        (DURATION / self.count() as f64).clamp(EACH[0], EACH[1]) as u16
+    }
 }

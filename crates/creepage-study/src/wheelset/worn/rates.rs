@@ -1,4 +1,4 @@
-//! How fast profiles wear where they are: the contacts of all situations, summed along the profiles.
+//! Wear rates of the profiles as they are: the contacts of all situations, summed along the profiles.
 
 use creepage::{SiCreepage, Status};
 use creepage_rail::{Role, RollingCreepage, Side};
@@ -45,7 +45,7 @@ struct Strip {
     peak: f64,
 }
 
-/// How far a run has come (m, passages), for messages.
+/// Distance of a run so far (m, passages), for messages.
 pub(super) type Reached = [f64; 2];
 
 impl Rates {

@@ -1,4 +1,4 @@
-//! The loop of wear: contacts, depth, profiles, and again.
+//! Run of wear: contacts, depth, profiles, in adaptive steps.
 
 use std::path::Path;
 
@@ -14,14 +14,14 @@ const CHANGE: f64 = 0.2;
 /// After a step with less change than this the next one may be twice as long.
 const CALM: f64 = 0.05;
 /// Steps are not halved below this part of the greatest.
-const LEAST: f64 = 1.0 / 16.0;
+const MIN_STEP_FRACTION: f64 = 1.0 / 16.0;
 /// Part of the limit of stability that a step keeps.
 const SAFE: f64 = 0.7;
 
 /// The volume that is gone is that of the contacts, to this part.
 const BALANCE: f64 = 1e-6;
 
-/// Who hears how far a run is: part of the distance, and the stops so far; false stops it.
+/// Callback of a run's progress: part of the distance, and the stops so far; false stops it.
 pub type WearProgress<'a> = &'a mut dyn FnMut(f64, &[WearStop]) -> bool;
 
 /// Wear over a distance: profiles at every stop, from new on.
@@ -130,8 +130,8 @@ pub(super) fn step(
         let (second, _) = Rates::new(case, plan, &predicted, end)?;
         let change = first.change(&second);
         let taken = greatest * part;
-        if change > CHANGE && taken > 1.01 * LEAST * plan.step_depth {
-            run.trial = (0.5 * taken).max(LEAST * plan.step_depth);
+        if change > CHANGE && taken > 1.01 * MIN_STEP_FRACTION * plan.step_depth {
+            run.trial = (0.5 * taken).max(MIN_STEP_FRACTION * plan.step_depth);
             continue;
         }
         run.bodies = run.bodies.worn(&first.mean(&second), part)?.even(plan.spacing);

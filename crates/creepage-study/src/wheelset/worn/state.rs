@@ -1,4 +1,4 @@
-//! How far a run of wear has come: profiles, records, and the file in which they outlive a kill.
+//! State of a run of wear: profiles, records, and the file in which they outlive a kill.
 
 use std::fs;
 use std::io::Write;
@@ -163,7 +163,7 @@ impl WornProfile {
     }
 }
 
-/// Where profiles are written: an even part of the distance.
+/// Stop of a run, at an even part of the distance, where profiles are written.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct WearStop {
     /// Distance that the wheels ran (m).
@@ -186,7 +186,7 @@ impl WearStop {
     }
 }
 
-/// How far a run has come.
+/// State of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct State {
     creepage_wear: u32,

@@ -1,4 +1,4 @@
-//! The loop against closed forms.
+//! Tests of the wear loop against closed forms.
 #![allow(clippy::unwrap_used)]
 
 use std::f64::consts::TAU;

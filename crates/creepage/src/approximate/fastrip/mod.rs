@@ -16,11 +16,9 @@
 //! what the turned direction changes, in parts where the border of the slip area crosses them.
 //! So the force has no jumps as the border moves over the grid, and its derivative is exact.
 
-mod row;
 mod turn;
 
-use row::Row;
-use turn::Turn;
+use turn::{Row, Turn};
 
 use super::dual::{self, Dual, Real};
 use super::fastsim::{

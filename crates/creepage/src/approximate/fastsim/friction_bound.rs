@@ -1,4 +1,4 @@
-//! The march where friction depends on the slip, or where a layer yields.
+//! March of FASTSIM where friction depends on the slip, or where a layer yields.
 //!
 //! The speed of slip is taken as that of the rigid slip. With the bed's own slip in it, which is the
 //! slope of the traction, falling friction has no steady traction: each spring would jump. Where a
@@ -11,7 +11,7 @@ use crate::contact::Contact;
 use crate::friction_law::{RollingFriction, Thermal};
 use crate::layer::Plasticity;
 
-use super::profile::Profile;
+use super::grid::Profile;
 
 /// What bounds the traction besides the pressure.
 #[derive(Debug, Clone, Copy)]

@@ -1,4 +1,4 @@
-//! The march from the leading to the trailing edge, eight strips at a time.
+//! March of FASTSIM from the leading to the trailing edge, eight strips at a time.
 
 // Loops over lanes index several arrays at once: the plainest form, and the one that becomes SIMD.
 #![allow(clippy::needless_range_loop)]

@@ -1,6 +1,6 @@
-//! The variants of FASTSIM.
+//! Settings of FASTSIM: its variants and its grid.
 
-use super::profile::Profile;
+use super::grid::Profile;
 
 /// How the three flexibilities `L1 = 8a / (3 G C11)`, `L2 = 8a / (3 G C22)` and
 /// `L3 = pi a sqrt(a/b) / (4 G C23)` are used.

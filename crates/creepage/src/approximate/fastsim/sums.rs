@@ -1,4 +1,4 @@
-//! From tractions at cells to forces.
+//! Sums of tractions over cells: force and moment, with derivatives.
 
 use super::grid::{Block, LANES, Lanes};
 use super::march::State;

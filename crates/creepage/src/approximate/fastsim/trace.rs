@@ -1,8 +1,8 @@
-//! The march through one strip to one position.
+//! March of FASTSIM through one strip to one position.
 
 use super::flexibility::Slopes;
 use super::grid::Grid;
-use super::profile::Profile;
+use super::grid::Profile;
 use crate::Ellipse;
 
 /// A position within the contact.

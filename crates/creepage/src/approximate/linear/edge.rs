@@ -1,5 +1,4 @@
-//! Singularities of the traction on the edge of the ellipse, and the displacements that go
-//! with them.
+//! Edge singularities of the traction on the ellipse, and the displacements that go with them.
 //!
 //! At the point `(a sin t, b cos t)` of the edge a traction `(1 - r^2)^(-1/2) (X', Y')` has the
 //! strength `(X', Y')`: for polynomials of degree `n` a trigonometric polynomial with the

@@ -1,5 +1,5 @@
-//! The paradox of 4.3: without slip anywhere the linear theory dissipates, for its bodies lose elastic
-//! energy at the trailing edge, where their traction is infinite.
+//! Elastic energy lost at the trailing edge, the paradox of 4.3: without slip anywhere the linear theory dissipates, for
+//! the traction of its bodies is infinite at that edge.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::num::NonZeroUsize;
@@ -11,7 +11,7 @@ use super::{Linear, bounded, slip_unit};
 use crate::{Creepage, Theory};
 
 /// Quadrature points on each half of the edge, beyond the degree of the strengths.
-const POINTS: usize = 300;
+const EDGE_POINTS: usize = 300;
 
 /// Elastic energy that the bodies lose at the edge of the contact per length rolled, in units of
 /// `mu N mu c/rho`, as power is.
@@ -60,7 +60,7 @@ impl Linear {
     pub fn edge_energy(&self, creepage: Creepage) -> EdgeEnergy {
         let traction = self.traction_at(creepage);
         let mut density = self.density(&traction);
-        let rule = GaussLegendre::new(NonZeroUsize::MIN.saturating_add(POINTS));
+        let rule = GaussLegendre::new(NonZeroUsize::MIN.saturating_add(EDGE_POINTS));
         // Each half of the edge from one end of the axis b to the other; dy = b |cos t| dt.
         let mut half = |centre: f64| -> f64 {
             let point = |&(node, weight): &(f64, f64)| {

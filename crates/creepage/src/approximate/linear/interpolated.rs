@@ -1,4 +1,4 @@
-//! The coefficients in a microsecond, by series in the shape and Poisson's ratio.
+//! Interpolated coefficients in a microsecond, by series in the shape and Poisson's ratio.
 //!
 //! Over each of a few ranges of `ln(a/b)` and over all of Poisson's ratio they are a sum of products of
 //! Chebyshev's polynomials, fitted to the solution of twice the degree of [`CreepageCoefficients::new`].

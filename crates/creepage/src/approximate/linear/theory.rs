@@ -1,4 +1,4 @@
-//! The linear theory as a whole: forces by the coefficients, tractions by the strengths.
+//! Linear theory as a [`Theory`](crate::Theory): forces by the coefficients, tractions by the strengths.
 
 use std::f64::consts::PI;
 use std::sync::OnceLock;

@@ -1,4 +1,4 @@
-//! Tractions inside the ellipse from their strengths on the edge.
+//! Tractions inside the ellipse from the strengths of their singularities on the edge.
 
 use super::compensation::Symmetry;
 use super::edge::Strength;

@@ -1,4 +1,4 @@
-//! One row of cells by each of the simplified theories: tractions in units of the largest bound.
+//! Row solver of each simplified theory: tractions in one row of cells, in units of the largest bound.
 
 use super::rows::Row;
 use super::springs::Springs;

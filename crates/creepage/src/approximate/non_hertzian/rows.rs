@@ -1,4 +1,4 @@
-//! Contact areas of any shape as rows along rolling, each cut into equal cells.
+//! Rows of contact areas of any shape along rolling, each cut into equal cells.
 
 use std::ops::Range;
 

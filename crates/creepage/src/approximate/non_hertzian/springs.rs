@@ -1,4 +1,4 @@
-//! The ellipse that stands for a patch, and the springs and coefficients that follow from it.
+//! Equivalent ellipse of a patch, and the springs and coefficients that follow from it.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! Quadrature across the strips.
+//! Gauss-Legendre quadrature across the strips.
 
 use std::num::NonZeroUsize;
 

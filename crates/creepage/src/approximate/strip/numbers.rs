@@ -1,4 +1,4 @@
-//! The dimensionless numbers of strip theory, and what happens in one strip.
+//! Dimensionless numbers of strip theory, and the solution in one strip.
 //!
 //! A strip is named by its place across, `t = y/b`; its half-length is `a s`,
 //! `s = sqrt(1 - t^2)`. With the plane-strain kernels, the traction

@@ -1,4 +1,4 @@
-//! Strips without adhesion: the traction is at its bound, along the slip of the rigid bodies.
+//! Sliding strips: without adhesion the traction is at its bound, along the slip of the rigid bodies.
 
 use std::f64::consts::PI;
 

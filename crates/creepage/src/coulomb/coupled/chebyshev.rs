@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-const POINTS: usize = 20;
+/// Chebyshev nodes, and as many terms of the series.
+const TERMS: usize = 20;
 /// How far it is known, in half-lengths: the ends of a strip move.
 const REACH: f64 = 1.1;
 
@@ -11,18 +12,18 @@ const REACH: f64 = 1.1;
 pub(super) struct ChebyshevSeries {
     centre: f64,
     reach: f64,
-    coefficients: [f64; POINTS],
+    coefficients: [f64; TERMS],
 }
 
 impl ChebyshevSeries {
     pub(super) fn new([centre, half]: [f64; 2], function: impl Fn(f64) -> f64) -> Self {
         let reach = REACH * half;
-        let angle = |i: usize| PI * (i as f64 + 0.5) / POINTS as f64;
-        let values: [f64; POINTS] =
+        let angle = |i: usize| PI * (i as f64 + 0.5) / TERMS as f64;
+        let values: [f64; TERMS] =
             std::array::from_fn(|i| function(centre + reach * angle(i).cos()));
         let coefficients = std::array::from_fn(|k| {
             let terms = values.iter().enumerate().map(|(i, v)| v * (k as f64 * angle(i)).cos());
-            terms.sum::<f64>() * if k == 0 { 1.0 } else { 2.0 } / POINTS as f64
+            terms.sum::<f64>() * if k == 0 { 1.0 } else { 2.0 } / TERMS as f64
         });
         Self { centre, reach, coefficients }
     }

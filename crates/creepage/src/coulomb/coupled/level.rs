@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::Prescribed;
-use super::normal::{Normal, Pressed};
+use super::normal::{Normal, PressedArea};
 use super::normal_tangential_coupling::Attraction;
 use super::shape::Shape;
 use crate::coulomb::grid::Grid;
@@ -43,17 +43,17 @@ impl Coupling {
     }
 }
 
-/// What is prepared once for a grid.
+/// Coupled problem prepared on one grid.
 #[derive(Debug, Clone)]
-pub(super) struct Level {
+pub(super) struct CoupledGrid {
     pub normal: Normal,
     /// Slip of the elements on the ellipse by Hertz's pressure as constant on each, over `kappa f00`.
     slip_by_elements: Vec<[f64; 2]>,
 }
 
-/// What is solved on a grid.
+/// Problem to be solved on a grid.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Case<'a> {
+pub(super) struct CoupledProblem<'a> {
     pub hertz: &'a Grid,
     pub coupling: Coupling,
     pub prescribed: Prescribed,
@@ -62,30 +62,30 @@ pub(super) struct Case<'a> {
     pub side: f64,
 }
 
-/// What a grid is solved from.
-pub(super) struct Start<'a> {
-    pub pressed: Pressed,
+/// Warm start of a grid.
+pub(super) struct CoupledWarmStart<'a> {
+    pub pressed: PressedArea,
     /// The tractions of the coarser grid, if there is one.
     pub coarser: Option<&'a State>,
 }
 
-/// One grid solved.
+/// Solution on one grid.
 #[derive(Debug, Clone)]
-pub(super) struct Settled {
+pub(super) struct CoupledState {
     pub grid: Grid,
     pub state: State,
     pub equations: Equations,
     pub shape: Shape,
-    pub pressed: Pressed,
+    pub pressed: PressedArea,
     /// The same by strips without friction.
-    pub frictionless: Pressed,
+    pub frictionless: PressedArea,
     pub converged: bool,
     pub turns: usize,
     pub sweeps: usize,
     pub factorizations: usize,
 }
 
-impl Level {
+impl CoupledGrid {
     /// `None` when the strips do not find Hertz's contact.
     pub(super) fn new(contact: &Contact, hertz: &Grid) -> Option<Self> {
         const STRIPS: [usize; 2] = [8, 24];
@@ -101,11 +101,12 @@ impl Level {
     /// Solves at a creepage, `side` the sign with which the bodies are unlike, from a start; where that
     /// fails, from the frictionless contact, and then with the tractions' part in the normal problem
     /// growing by steps.
-    pub(super) fn settle(&self, case: Case, start: Start) -> Settled {
-        const STEPS: [u32; 3] = [1, 4, 16];
+    pub(super) fn settle(&self, case: CoupledProblem, start: CoupledWarmStart) -> CoupledState {
+        /// Steps in which the coupling grows, from attempt to attempt.
+        const LOAD_STEPS: [u32; 3] = [1, 4, 16];
         let coarser = start.coarser;
         let mut settled = self.take_turns(case, 1.0, start);
-        for steps in STEPS {
+        for steps in LOAD_STEPS {
             if settled.converged {
                 break;
             }
@@ -118,23 +119,23 @@ impl Level {
     }
 
     /// Solves with ever larger parts of the coupling; ends where one of them fails.
-    fn by_steps(&self, case: Case, steps: u32, coarser: Option<&State>) -> Settled {
+    fn by_steps(&self, case: CoupledProblem, steps: u32, coarser: Option<&State>) -> CoupledState {
         let part = |step: u32| f64::from(step) / f64::from(steps);
         let pressed = self.normal.frictionless.clone();
-        let mut settled = self.take_turns(case, part(1), Start { pressed, coarser });
+        let mut settled = self.take_turns(case, part(1), CoupledWarmStart { pressed, coarser });
         for step in 2..=steps {
             if !settled.converged {
                 return settled;
             }
             let (turns, pressed) = (settled.turns, settled.pressed);
-            settled = self.take_turns(case, part(step), Start { pressed, coarser });
+            settled = self.take_turns(case, part(step), CoupledWarmStart { pressed, coarser });
             settled.turns += turns;
         }
         settled
     }
 
     /// Friction and normal contact in turn, with a part of what the tractions do to the pressure.
-    fn take_turns(&self, case: Case, part: f64, start: Start) -> Settled {
+    fn take_turns(&self, case: CoupledProblem, part: f64, start: CoupledWarmStart) -> CoupledState {
         let factor = -case.side * part * case.coupling.q / PI;
         let (mut settled, mut attraction) = self.start(case, start);
         let mut mixing = AndersonAcceleration::default();
@@ -153,21 +154,21 @@ impl Level {
             if settled.turns >= TURNS || !change.is_finite() {
                 return settled;
             }
-            settled.pressed.go(&mut mixing, &next);
+            settled.pressed.accelerate(&mut mixing, &next);
             attraction = self.press(case, &mut settled);
         }
     }
 
-    fn start(&self, case: Case, start: Start) -> (Settled, Attraction) {
-        let Case { hertz, coupling, .. } = case;
-        let Start { pressed, coarser } = start;
+    fn start(&self, case: CoupledProblem, start: CoupledWarmStart) -> (CoupledState, Attraction) {
+        let CoupledProblem { hertz, coupling, .. } = case;
+        let CoupledWarmStart { pressed, coarser } = start;
         let shape = Shape::new(&self.normal, &pressed);
         let (grid, attraction) = self.grid(hertz, coupling, &shape, &pressed);
         let (mut state, equations) = (State::new(&grid), Equations::new(&grid));
         if let Some(coarser) = coarser {
             state.refine(hertz, coarser);
         }
-        let settled = Settled {
+        let settled = CoupledState {
             grid,
             state,
             equations,
@@ -183,7 +184,7 @@ impl Level {
     }
 
     /// Lays the elements into the area, and the pressure on them.
-    fn press(&self, case: Case, settled: &mut Settled) -> Attraction {
+    fn press(&self, case: CoupledProblem, settled: &mut CoupledState) -> Attraction {
         settled.shape = Shape::new(&self.normal, &settled.pressed);
         let (grid, attraction) =
             self.grid(case.hertz, case.coupling, &settled.shape, &settled.pressed);
@@ -196,7 +197,7 @@ impl Level {
         &self,
         hertz: &Grid,
         shape: &Shape,
-        pressed: &Pressed,
+        pressed: &PressedArea,
     ) -> (Mesh, Pressure) {
         let load = pressed.load / self.normal.frictionless.load;
         (shape.mesh(&hertz.mesh), shape.pressed(&hertz.pressure, load))
@@ -207,7 +208,7 @@ impl Level {
         hertz: &Grid,
         coupling: Coupling,
         shape: &Shape,
-        pressed: &Pressed,
+        pressed: &PressedArea,
     ) -> (Grid, Attraction) {
         if pressed.is(&self.normal.frictionless) {
             return (hertz.clone(), Attraction::new(&hertz.mesh));
@@ -238,9 +239,9 @@ fn slip_by(
     stencils.iter().flat_map(|stencil| stencil.slip(displacement)).collect()
 }
 
-impl Settled {
+impl CoupledState {
     /// Solves the tangential problem under the present pressure.
-    fn solve_tangential(&mut self, case: Case) -> Outcome {
+    fn solve_tangential(&mut self, case: CoupledProblem) -> Outcome {
         self.grid.set_forcing(case.creepage, case.side, &mut self.state.forcing);
         let outcome = self.state.solve(&self.grid, &mut self.equations);
         self.turns += 1;

@@ -1,5 +1,4 @@
-//! Unlike bodies, coupled: the tangential tractions act back on the pressure and on the contact
-//! area.
+//! Coupled theory of unlike bodies: the tangential tractions act back on the pressure and on the contact area.
 //!
 //! Between bodies with `kappa` not zero pressure adds to the slip (6.4), and tangential traction to
 //! the normal displacement difference (2.15c):
@@ -32,7 +31,7 @@ use super::{Constraints, Exact, InverseError, Resolution};
 use crate::check::{self, InvalidValue};
 use crate::theory::Solved;
 use crate::{Contact, Creepage, Theory};
-use level::{Coupling, Level};
+use level::{CoupledGrid, Coupling};
 
 /// What stays as it is without friction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -83,13 +82,13 @@ pub struct Coupled {
 #[derive(Debug, Clone)]
 struct Prepared {
     exact: Exact,
-    levels: Option<[Level; 2]>,
+    levels: Option<[CoupledGrid; 2]>,
 }
 
 impl Prepared {
     fn new(contact: &Contact, resolution: Resolution) -> Self {
         let exact = Exact::prepare(contact, resolution);
-        let [coarse, fine] = [0, 1].map(|k: usize| Level::new(contact, &exact.grids[k]));
+        let [coarse, fine] = [0, 1].map(|k: usize| CoupledGrid::new(contact, &exact.grids[k]));
         Self { levels: coarse.zip(fine).map(|(coarse, fine)| [coarse, fine]), exact }
     }
 }

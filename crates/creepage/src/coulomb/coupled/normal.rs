@@ -1,5 +1,5 @@
-//! The normal problem of the coupled solution: strips with free ends, pressed into a
-//! paraboloid to which the tangential tractions add.
+//! Normal problem of the coupled solution: strips with free ends, pressed into a paraboloid to which the tangential
+//! tractions add.
 //!
 //! Lengths are in units of `c`, pressures in units of the frictionless peak, displacements in
 //! units of `(1 - sigma) p_0 c / G`.
@@ -19,9 +19,9 @@ const SHORTEST: f64 = 1e-3;
 /// Largest residual of the strips' displacements, and of the load over itself.
 const RESIDUAL_TOLERANCE: f64 = 1e-8;
 
-/// An area and its pressure.
+/// Contact area with its pressure.
 #[derive(Debug, Clone)]
-pub(super) struct Pressed {
+pub(super) struct PressedArea {
     pub strips: Vec<Strip>,
     /// `y` halfway between the tips.
     pub middle: f64,
@@ -31,7 +31,7 @@ pub(super) struct Pressed {
     pub load: f64,
 }
 
-impl Pressed {
+impl PressedArea {
     fn numbers(&self) -> impl Iterator<Item = f64> {
         let strips = self
             .strips
@@ -61,7 +61,7 @@ impl Pressed {
     }
 
     /// Goes where the last turns lead to, given where this one led.
-    pub(super) fn go(&mut self, mixing: &mut AndersonAcceleration, image: &Self) {
+    pub(super) fn accelerate(&mut self, mixing: &mut AndersonAcceleration, image: &Self) {
         let mut numbers: Vec<f64> = self.numbers().collect();
         mixing.improve(&mut numbers, &image.numbers().collect::<Vec<f64>>());
         self.clone_from(image);
@@ -75,7 +75,7 @@ impl Pressed {
     }
 }
 
-/// What is prepared once.
+/// Normal problem, prepared once.
 #[derive(Debug, Clone)]
 pub(super) struct Normal {
     pub ellipse: Ellipse,
@@ -84,7 +84,7 @@ pub(super) struct Normal {
     /// Of the strips, from -1 to 1.
     borders: Vec<f64>,
     /// Without friction; strips of finite width differ a little from Hertz.
-    pub frictionless: Pressed,
+    pub frictionless: PressedArea,
 }
 
 impl Normal {
@@ -98,7 +98,7 @@ impl Normal {
         let border =
             |i: usize| (CLUSTER * (2.0 * i as f64 / count as f64 - 1.0)).sin() / CLUSTER.sin();
         let borders: Vec<f64> = (0..=count).map(border).collect();
-        let hertz = Pressed {
+        let hertz = PressedArea {
             strips: borders
                 .windows(2)
                 .map(|pair| hertz_strip(ellipse, [pair[0], pair[1]]))
@@ -126,10 +126,10 @@ impl Normal {
     /// settle.
     pub(super) fn solve(
         &self,
-        start: &Pressed,
+        start: &PressedArea,
         more: impl Fn([f64; 2]) -> f64,
         prescribed: Prescribed,
-    ) -> Option<Pressed> {
+    ) -> Option<PressedArea> {
         const PARTS: u32 = 8;
         if let Some(found) = self.step(start, &more, prescribed) {
             return Some(found);
@@ -145,10 +145,10 @@ impl Normal {
 
     fn step(
         &self,
-        start: &Pressed,
+        start: &PressedArea,
         more: &impl Fn([f64; 2]) -> f64,
         prescribed: Prescribed,
-    ) -> Option<Pressed> {
+    ) -> Option<PressedArea> {
         const ATTEMPTS: usize = 6;
         let mut pressed = self.laid(start);
         for _ in 0..ATTEMPTS {
@@ -169,7 +169,7 @@ impl Normal {
 
     /// Shrinks: draws in the tips whose outermost strip has shrunk, for it touches nothing; `None` if there are
     /// none.
-    fn shrink(&self, pressed: &Pressed, stopped: &[Strip]) -> Option<Pressed> {
+    fn shrink(&self, pressed: &PressedArea, stopped: &[Strip]) -> Option<PressedArea> {
         const SHRUNK: f64 = 0.6;
         const PART: f64 = 0.6;
         let by = |end: Option<(&Strip, &Strip)>| match end {
@@ -187,8 +187,8 @@ impl Normal {
         Some(self.laid(&drawn))
     }
 
-    /// The strips laid anew between the tips.
-    fn laid(&self, start: &Pressed) -> Pressed {
+    /// The strips laid again between the tips.
+    fn laid(&self, start: &PressedArea) -> PressedArea {
         let mut pressed = start.clone();
         for (strip, borders) in pressed.strips.iter_mut().zip(self.borders.windows(2)) {
             let half = start.stretch * self.ellipse.b();
@@ -201,10 +201,10 @@ impl Normal {
     /// The strips that touch all along, or those where that failed.
     fn touching(
         &self,
-        pressed: &Pressed,
+        pressed: &PressedArea,
         more: &[ChebyshevSeries],
         prescribed: Prescribed,
-    ) -> Result<Pressed, Vec<Strip>> {
+    ) -> Result<PressedArea, Vec<Strip>> {
         let middles: Vec<f64> = pressed.strips.iter().map(|strip| strip.y).collect();
         let [along, across] = self.curvatures;
         let depth = |x: f64, y: f64| {
@@ -214,19 +214,19 @@ impl Normal {
         };
         let load = (prescribed == Prescribed::Load).then_some(self.frictionless.load);
         // Of the stiffness only the sign is asked.
-        let question = StripProblem {
+        let problem = StripProblem {
             depth: &depth,
             load,
-            enough: RESIDUAL_TOLERANCE,
-            nearly: 0.1,
+            residual_tolerance: RESIDUAL_TOLERANCE,
+            stiffness_tolerance: 0.1,
             known: None,
         };
-        let found = strip_system::solve(pressed.strips.clone(), MAX_TERMS, question)
+        let found = strip_system::solve(pressed.strips.clone(), MAX_TERMS, problem)
             .map_err(|stopped| stopped.strips)?;
         if found.stiffness > 0.0 && found.deeper.is_finite() {
             let load = found.strips.iter().map(Strip::load).sum();
             let approach = pressed.approach + found.deeper;
-            Ok(Pressed { strips: found.strips, approach, load, ..*pressed })
+            Ok(PressedArea { strips: found.strips, approach, load, ..*pressed })
         } else {
             Err(found.strips)
         }
@@ -234,7 +234,7 @@ impl Normal {
 
     /// Moves the tips to where the squared half-lengths go to zero as those of an ellipse do: the
     /// outermost two strips are then as much longer than without friction.
-    fn move_tips(&self, pressed: &mut Pressed) {
+    fn move_tips(&self, pressed: &mut PressedArea) {
         const FARTHEST: f64 = 0.05;
         let middles: Vec<f64> = self.middles().collect();
         let longer = |k: usize| (pressed.strips[k].half / self.frictionless.strips[k].half).powi(2);

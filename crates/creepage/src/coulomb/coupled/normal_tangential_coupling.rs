@@ -26,7 +26,7 @@ struct Element {
     points: [([f64; 2], f64); 4],
 }
 
-/// The elements of a mesh.
+/// Influence of a mesh's elements.
 #[derive(Debug, Clone)]
 pub(super) struct Attraction {
     elements: Vec<Element>,

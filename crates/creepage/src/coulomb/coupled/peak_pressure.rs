@@ -15,7 +15,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::level::Settled;
+use super::level::CoupledState;
 use crate::normal::strip_system::MAX_TERMS;
 
 /// Elements from the border to that from which the root is taken; those between it and the border are
@@ -37,7 +37,7 @@ pub(super) struct Summit {
 }
 
 /// The summit of a grid; `q` with the sign of the pressure's part in the slip.
-pub(super) fn summit(settled: &Settled, q: f64) -> Summit {
+pub(super) fn summit(settled: &CoupledState, q: f64) -> Summit {
     let strips = settled.grid.mesh.strips.iter().enumerate();
     let lines = strips.flat_map(|(index, strip)| {
         let t = settled.shape.across(strip.y());
@@ -53,12 +53,12 @@ pub(super) fn summit(settled: &Settled, q: f64) -> Summit {
 }
 
 /// The largest pressure of a line near a border.
-fn near(settled: &Settled, Border { angle, root }: Border, t: f64, q: f64) -> f64 {
-    const POINTS: i32 = 20;
+fn near(settled: &CoupledState, Border { angle, root }: Border, t: f64, q: f64) -> f64 {
+    const SAMPLES: i32 = 20;
     // A wave of the last polynomial.
     let reach = 4.0 * FRAC_PI_2 / MAX_TERMS as f64;
-    let pressures = (-POINTS..=POINTS).map(|k| {
-        let beside = reach * f64::from(k) / f64::from(POINTS);
+    let pressures = (-SAMPLES..=SAMPLES).map(|k| {
+        let beside = reach * f64::from(k) / f64::from(SAMPLES);
         let polynomials = settled.shape.pressure([(angle + beside).cos(), t]);
         polynomials - q * root * left(beside)
     });
@@ -79,8 +79,8 @@ fn left(beside: f64) -> f64 {
 }
 
 /// The border of adhesion in front of an element of a strip, if it slides and those ahead do not.
-fn border(settled: &Settled, index: usize, sliding: usize) -> Option<Border> {
-    let Settled { grid, state, .. } = settled;
+fn border(settled: &CoupledState, index: usize, sliding: usize) -> Option<Border> {
+    let CoupledState { grid, state, .. } = settled;
     let (first, strip) = (grid.mesh.elements(index).start, &grid.mesh.strips[index]);
     let visible = |i: usize| state.visible(grid, first + i);
     let far = sliding.checked_sub(AHEAD + 1)?;

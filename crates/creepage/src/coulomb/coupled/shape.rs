@@ -1,8 +1,8 @@
-//! How area and pressure differ from Hertz's: smooth functions of the place.
+//! Map of the Hertz ellipse on the coupled area, and the ratio of the pressures: smooth functions of the place.
 
 use std::sync::Arc;
 
-use super::normal::{Normal, Pressed};
+use super::normal::{Normal, PressedArea};
 use crate::coulomb::mesh::{Mesh, Strip};
 use crate::coulomb::pressure::{Moments, Pressure};
 use crate::coulomb::subdivision::SUBCELLS;
@@ -12,7 +12,7 @@ use crate::normal::strip_system::{self, MAX_TERMS, profile};
 
 /// Least pressure over that of Hertz: polynomials between strips may dip below zero, and an element
 /// without any pressure has no traction to find.
-const LEAST: f64 = 1e-3;
+const MIN_PRESSURE_RATIO: f64 = 1e-3;
 
 /// A map of the ellipse on the area: lines along `x` are shifted and stretched, each by itself, and
 /// moved and spread across. A place is `(s, t)`, `t` from tip to tip and `s` from the trailing to
@@ -34,7 +34,7 @@ pub(super) struct Shape {
 }
 
 impl Shape {
-    pub(super) fn new(normal: &Normal, pressed: &Pressed) -> Self {
+    pub(super) fn new(normal: &Normal, pressed: &PressedArea) -> Self {
         let t: Vec<f64> = normal.middles().collect();
         let pairs = || pressed.strips.iter().zip(&normal.frictionless.strips);
         let curve = |values: Vec<f64>| Cubic::new(t.clone(), values);
@@ -70,13 +70,18 @@ impl Shape {
     }
 
     /// Where other strips may begin: in this shape, that of `pressed`; `without` friction it was another.
-    pub(super) fn start(&self, normal: &Normal, pressed: &Pressed, without: &Pressed) -> Pressed {
+    pub(super) fn start(
+        &self,
+        normal: &Normal,
+        pressed: &PressedArea,
+        without: &PressedArea,
+    ) -> PressedArea {
         let own = &normal.frictionless;
         if pressed.is(without) {
             return own.clone();
         }
         let strips = own.strips.iter().zip(normal.middles());
-        Pressed {
+        PressedArea {
             strips: strips.map(|(strip, t)| self.strip(strip, t)).collect(),
             approach: own.approach + pressed.approach - without.approach,
             load: own.load * pressed.load / without.load,
@@ -101,7 +106,7 @@ impl Shape {
             let coefficients = curves.each_ref().map(|curve| curve.at(t));
             profile(&coefficients, s)
         });
-        (own / other).max(LEAST)
+        (own / other).max(MIN_PRESSURE_RATIO)
     }
 
     /// Where a position of the ellipse is moved.
@@ -131,13 +136,13 @@ impl Shape {
 
     /// Area over that of the ellipse.
     pub(super) fn area(&self) -> f64 {
-        const POINTS: u32 = 64;
-        let terms = (1..=POINTS).map(|k| {
-            let angle = std::f64::consts::PI * f64::from(k) / f64::from(POINTS + 1);
+        const QUADRATURE_POINTS: u32 = 64;
+        let terms = (1..=QUADRATURE_POINTS).map(|k| {
+            let angle = std::f64::consts::PI * f64::from(k) / f64::from(QUADRATURE_POINTS + 1);
             let (sin, cos) = angle.sin_cos();
             sin * sin * self.longer(cos)
         });
-        2.0 * self.stretch * terms.sum::<f64>() / f64::from(POINTS + 1)
+        2.0 * self.stretch * terms.sum::<f64>() / f64::from(QUADRATURE_POINTS + 1)
     }
 
     /// The largest pressure over Hertz's.

@@ -37,7 +37,7 @@
 use std::f64::consts::PI;
 
 use super::Prescribed;
-use super::normal::{Normal, Pressed};
+use super::normal::{Normal, PressedArea};
 use super::normal_tangential_coupling::Attraction;
 use super::shape::Shape;
 use crate::check::{self, InvalidValue};
@@ -48,7 +48,7 @@ use crate::coulomb::resolution::Resolution;
 use crate::ellipse::Ellipse;
 use crate::numerics::anderson::AndersonAcceleration;
 
-/// Why there is no solution of gross sliding.
+/// Error of gross sliding without a solution.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SlidingError {
@@ -56,7 +56,7 @@ pub enum SlidingError {
     #[error(transparent)]
     Invalid(#[from] InvalidValue),
     /// Pressure and area were still changing after the last turn.
-    #[error("pressure and area do not settle: the last turn changed them by {change:e}")]
+    #[error("pressure and area do not converge: the last iteration changed them by {change:e}")]
     NotSettled {
         /// The last change, over `c` and the peak pressure.
         change: f64,
@@ -87,8 +87,8 @@ pub struct GrossSliding {
 #[derive(Debug, Clone)]
 struct Slid {
     shape: Shape,
-    pressed: Pressed,
-    frictionless: Pressed,
+    pressed: PressedArea,
+    frictionless: PressedArea,
 }
 
 impl GrossSliding {
@@ -224,7 +224,7 @@ impl<'a> Sliding<'a> {
     /// Pressure and area in turn until both hold.
     fn settle(
         &self,
-        mut pressed: Pressed,
+        mut pressed: PressedArea,
         q: [f64; 2],
         tolerance: f64,
     ) -> Result<Slid, SlidingError> {
@@ -242,7 +242,7 @@ impl<'a> Sliding<'a> {
                 let frictionless = self.normal.frictionless.clone();
                 return Ok(Slid { shape, pressed, frictionless });
             }
-            pressed.go(&mut mixing, &next);
+            pressed.accelerate(&mut mixing, &next);
         }
         Err(SlidingError::NotSettled { change })
     }

@@ -1,6 +1,6 @@
 //! The solution of one coupled contact, kept for fields, derivatives and further solves.
 
-use super::level::{Case, Settled, Start};
+use super::level::{CoupledProblem, CoupledState, CoupledWarmStart};
 use super::peak_pressure::{Summit, summit};
 use super::{Coupled, Prepared};
 use crate::coulomb::dissipation::{self, Unresolved};
@@ -26,7 +26,7 @@ pub struct CoupledSolved<'a> {
     mirror: Mirror,
     /// On the coarser and the finer grid; `None` where the strips of the normal problem fail, or
     /// turns between friction and normal contact lead to no numbers.
-    settled: Option<[Settled; 2]>,
+    settled: Option<[CoupledState; 2]>,
     solution: Solution,
     power: f64,
     dissipation: f64,
@@ -116,7 +116,7 @@ impl<'a> CoupledSolved<'a> {
     }
 
     /// A quantity of both grids, extrapolated; one where nothing is coupled.
-    fn value(&self, of: impl Fn(&Settled) -> f64) -> f64 {
+    fn value(&self, of: impl Fn(&CoupledState) -> f64) -> f64 {
         let levels = self.settled.as_ref();
         levels.map_or(1.0, |[coarse, fine]| extrapolate(of(coarse), of(fine)))
     }
@@ -150,13 +150,14 @@ impl<'a> CoupledSolved<'a> {
     /// adhesion, and half the difference of the grids. One where nothing is coupled.
     #[must_use]
     pub fn peak_error(&self) -> f64 {
-        const LEAST: f64 = 5e-4;
+        /// Lower bound of the relative error, where both grids agree by chance.
+        const MIN_PEAK_ERROR: f64 = 5e-4;
         let (Some([coarse, _]), Some((summit, polynomials))) = (&self.settled, self.summit())
         else {
             return 1.0;
         };
         let apart = (polynomials - coarse.shape.peak()).abs();
-        LEAST + 0.5 * (summit.lacking + apart)
+        MIN_PEAK_ERROR + 0.5 * (summit.lacking + apart)
     }
 
     /// The finer grid's summit at the border of adhesion, and its peak by the strips' polynomials alone.
@@ -196,7 +197,12 @@ impl<'a> CoupledSolved<'a> {
         fine.grid.mesh.all().map(element).collect()
     }
 
-    fn at(&self, level: &Settled, view: &FieldInterpolation, position: [f64; 2]) -> FieldPoint {
+    fn at(
+        &self,
+        level: &CoupledState,
+        view: &FieldInterpolation,
+        position: [f64; 2],
+    ) -> FieldPoint {
         let (mirror, mesh) = (self.mirror, &level.grid.mesh);
         let there = mirror.position(position);
         let Some([s, t]) = level.shape.place(there) else {
@@ -222,10 +228,10 @@ fn settle(
     theory: &Coupled,
     Prepared { exact, levels }: &Prepared,
     (creepage, mirror): (Creepage, Mirror),
-    near: Option<&[Settled; 2]>,
-) -> Option<[Settled; 2]> {
+    near: Option<&[CoupledState; 2]>,
+) -> Option<[CoupledState; 2]> {
     let [coarse, fine] = levels.as_ref()?;
-    let case = |level: usize| Case {
+    let case = |level: usize| CoupledProblem {
         hertz: &exact.grids[level],
         coupling: theory.coupling,
         prescribed: theory.prescribed,
@@ -233,27 +239,27 @@ fn settle(
         side: mirror.x,
     };
     let pressed = near.map_or(&coarse.normal.frictionless, |near| &near[0].pressed).clone();
-    let start = Start { pressed, coarser: None };
+    let start = CoupledWarmStart { pressed, coarser: None };
     let first = coarse.settle(case(0), start);
     let pressed = match near {
         Some(near) => near[1].pressed.clone(),
         None => first.shape.start(&fine.normal, &first.pressed, &first.frictionless),
     };
-    let start = Start { pressed, coarser: Some(&first.state) };
+    let start = CoupledWarmStart { pressed, coarser: Some(&first.state) };
     let second = fine.settle(case(1), start);
     Some([first, second])
 }
 
 /// Whether a solution has numbers at all.
-fn are_numbers(levels: &[Settled; 2], powers: &[f64], force: Force, error: Force) -> bool {
+fn are_numbers(levels: &[CoupledState; 2], powers: &[f64], force: Force, error: Force) -> bool {
     let shapes = levels.iter().flat_map(|level| [level.shape.area(), level.pressed.approach]);
     let forces = [force, error].into_iter().flat_map(|force| force.components());
     powers.iter().copied().chain(shapes).chain(forces).all(f64::is_finite)
 }
 
-fn solution(force: Force, error: Force, levels: &[Settled; 2]) -> Solution {
+fn solution(force: Force, error: Force, levels: &[CoupledState; 2]) -> Solution {
     let converged = levels.iter().all(|level| level.converged);
-    let sum = |of: fn(&Settled) -> usize| levels.iter().map(of).sum();
+    let sum = |of: fn(&CoupledState) -> usize| levels.iter().map(of).sum();
     Solution {
         force,
         error: Some(error),

@@ -1,5 +1,5 @@
-//! Displacements at points, kept for themselves, and slip as any combination of them: what rolling
-//! that is not steady needs, where the combination changes from step to step.
+//! Influence on displacements at points, and slip as any combination of them: what rolling that is not steady needs,
+//! where the combination changes from step to step.
 
 use super::coefficients::{Coefficients, Folded, Number};
 use super::layout::{Layout, Symmetry, unfold};

@@ -1,4 +1,4 @@
-//! Displacements at one point of a strip after the other, by every element.
+//! Displacements at the points of one strip after the other, by unit tractions of every element.
 
 use std::ops::Range;
 

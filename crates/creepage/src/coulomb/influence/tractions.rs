@@ -1,4 +1,4 @@
-//! Tractions of all elements, kept as products read them.
+//! Traction vector of all elements, in the layout that products read.
 
 use pulp::{Arch, Simd, WithSimd};
 

@@ -16,7 +16,7 @@ const REFINEMENTS: usize = 3;
 /// Once is enough for a search, whose steps are corrected by what they lead to.
 const OF_SEARCH: usize = 1;
 
-/// A change of all tractions, and the room to find it.
+/// Newton's linear system: the change of all tractions, and work arrays.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Equations {
     /// Right-hand side of the two equations of each element, interleaved.
@@ -237,14 +237,14 @@ fn by_spin(grid: &Grid, state: &State, element: usize) -> [f64; 2] {
     let Some(Sliding { derivative, .. }) = state.sliding[element] else {
         return [0.0; 2];
     };
-    let [give, slope] = state.forcing.spin_compliance(element);
+    let [compliance, slope] = state.forcing.spin_compliance(element);
     let [x, y] = state.trial(grid, element);
     let [part, narrower] = grid.corner(state.forcing.spin);
     let wider = state.corner.half_width() * narrower / part;
-    let by_corner = by_half_width(state.limits[element], give, [x, y], state.corner);
+    let by_corner = by_half_width(state.limits[element], compliance, [x, y], state.corner);
     [0, 1].map(|k| {
         let [by_x, by_y] = derivative[k];
-        wider * by_corner[k] - slope / (1.0 + give) * (by_x * x + by_y * y)
+        wider * by_corner[k] - slope / (1.0 + compliance) * (by_x * x + by_y * y)
     })
 }
 
@@ -272,7 +272,7 @@ mod tests {
     use crate::ellipse::Ellipse;
 
     /// Small, for a difference must not reach over the end of a rounded corner.
-    const STEP: f64 = 1e-5;
+    const DIFFERENCE_STEP: f64 = 1e-5;
 
     fn force(grid: &Grid, [xi, eta, chi]: [f64; 3]) -> (State, Equations, Force) {
         let (mut state, mut equations) = (State::new(grid), Equations::new(grid));
@@ -297,13 +297,13 @@ mod tests {
                 for column in 0..3 {
                     let at = |steps: f64| {
                         let mut moved = case;
-                        moved[column] += STEP * steps;
+                        moved[column] += DIFFERENCE_STEP * steps;
                         force(&grid, moved).2.components()
                     };
                     let [near, back, far, far_back] = [at(1.0), at(-1.0), at(2.0), at(-2.0)];
                     for row in 0..3 {
                         let difference = 8.0 * (near[row] - back[row]) - (far[row] - far_back[row]);
-                        let apart = difference / (12.0 * STEP) - derivative[column][row];
+                        let apart = difference / (12.0 * DIFFERENCE_STEP) - derivative[column][row];
                         // Tractions solved to 1e-11 leave some 1e-12 in forces.
                         assert!(apart.abs() < 1e-6 * largest, "{case:?} {row} {column}: {apart:e}");
                     }

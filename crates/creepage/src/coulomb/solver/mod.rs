@@ -13,7 +13,7 @@ pub(crate) use equations::Equations;
 
 use super::forcing::SlipForcing;
 use super::friction::{Regularization, Sliding, project_within};
-use super::friction_bound::LEAST;
+use super::friction_bound::MIN_BOUND;
 use super::grid::Grid;
 use super::influence::{Precision, Tractions};
 use super::quadrature::{Fields, Sum};
@@ -49,7 +49,7 @@ const MIXING_BELOW: f64 = 0.02;
 /// Steps after which they are mixed in any case.
 const MAX_PLAIN_ROUNDS: usize = 40;
 
-/// How an iteration ended.
+/// Outcome of an iteration.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Outcome {
     pub converged: bool,
@@ -58,7 +58,7 @@ pub(crate) struct Outcome {
     pub factorizations: usize,
 }
 
-/// Tractions and slip of one grid, and the matrices that improve them.
+/// State of the iteration on one grid: tractions, slip, and the factored matrices.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct State {
     /// What drives the slip, to be set before [`State::solve`].
@@ -127,14 +127,14 @@ impl State {
             }
             if change < MIXING_BELOW || round >= MAX_PLAIN_ROUNDS || resistance.yields() {
                 mixing.improve(&mut self.limits, &limits);
-                self.limits.iter_mut().for_each(|limit| *limit = limit.clamp(LEAST, 1.0));
+                self.limits.iter_mut().for_each(|limit| *limit = limit.clamp(MIN_BOUND, 1.0));
             } else {
                 self.limits.copy_from_slice(&limits);
             }
-            let again = self.solve_to(FIXED_POINT_TOLERANCE, grid, equations);
-            sum.converged = again.converged;
-            sum.sweeps += again.sweeps;
-            sum.factorizations += again.factorizations;
+            let resolved = self.solve_to(FIXED_POINT_TOLERANCE, grid, equations);
+            sum.converged = resolved.converged;
+            sum.sweeps += resolved.sweeps;
+            sum.factorizations += resolved.factorizations;
         }
         Outcome { converged: false, ..sum }
     }
@@ -155,7 +155,7 @@ impl State {
 
     /// Keeps the tractions as a start and forgets how they were found, so that what follows depends
     /// on them alone.
-    pub(crate) fn go_on(&mut self) {
+    pub(crate) fn keep_tractions_only(&mut self) {
         self.is_close = self.traction.largest() > 0.0;
         self.sliding.fill(None);
         self.last_step.fill(f64::INFINITY);
@@ -287,8 +287,8 @@ impl State {
 
     /// Coulomb's law of an element with the corner as it is.
     fn project(&self, element: usize, trial: [f64; 2]) -> Option<Sliding> {
-        let [give, _] = self.forcing.spin_compliance(element);
-        project_within(self.limits[element], give, trial, self.corner)
+        let [compliance, _] = self.forcing.spin_compliance(element);
+        project_within(self.limits[element], compliance, trial, self.corner)
     }
 
     /// Traction and slip of an element by Coulomb's law without its corner rounded: those with the

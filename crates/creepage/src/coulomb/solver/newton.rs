@@ -85,7 +85,7 @@ const FINEST_OF_SINGLE: f64 = 0.015;
 /// A change of tractions up to so many times the residual allowed gives slip, in single precision, that is
 /// wrong by a hundredth of that residual.
 const SMALL: f64 = 1e5;
-/// A strip's factors that were left after a larger step are made anew.
+/// A strip is factored again if its last step was larger.
 const STALE: f64 = 0.1;
 /// Halvings of a step until it makes the tractions better.
 const HALVINGS: usize = 5;

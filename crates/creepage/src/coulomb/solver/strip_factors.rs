@@ -27,7 +27,7 @@ pub(super) struct StripFactors {
     along: Vec<f64>,
 }
 
-/// Those of all strips of a grid, in memory that is used again.
+/// Factors of all strips of a grid, in memory that is used again.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Factors(pub Vec<StripFactors>);
 

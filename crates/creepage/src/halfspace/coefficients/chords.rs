@@ -1,4 +1,4 @@
-//! Coefficients along the chords of the ellipse, as in the fundamental lemma (2.28).
+//! Influence coefficients along the chords of the ellipse, as in the fundamental lemma (2.28).
 //!
 //! The mean of `x^p y^q` over a chord is a polynomial in the chord's distance `h` from the
 //! centre, `h = -(x/a) sin f + (y/b) cos f` for the chords through `(x, y)`; its coefficient of

@@ -1,4 +1,4 @@
-//! Coefficients along the rays from the centre, as the thesis has them (2.65)-(2.73).
+//! Influence coefficients along the rays from the centre, as the thesis has them (2.65)-(2.73).
 //!
 //! The derivatives of `r^(2h-1)` in (2.48) are Fourier sums in the ray's direction with exact
 //! coefficients: by `x + iy` and `x - iy` every derivative of a power of `r` is one term.

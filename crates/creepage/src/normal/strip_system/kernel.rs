@@ -1,4 +1,4 @@
-//! Displacement by a strip whose pressure vanishes as a root at both ends.
+//! Kernel of the strip method: displacement by a strip whose pressure vanishes as a root at both ends.
 //!
 //! For the pressure `sqrt(1 - s^2) U_k(s)`, with Chebyshev's polynomials of the second kind, on a
 //! strip between two `y`, the integral over `y` is done in closed form and leaves
@@ -253,9 +253,9 @@ mod tests {
     /// By brute force: midpoints in the angle, whose clustering eases the ends; the logarithm
     /// stays, so many are needed.
     fn brute(view: View, k: usize) -> f64 {
-        const POINTS: u32 = 2_000_000;
-        let step = PI / f64::from(POINTS);
-        (0..POINTS)
+        const MIDPOINTS: u32 = 2_000_000;
+        let step = PI / f64::from(MIDPOINTS);
+        (0..MIDPOINTS)
             .map(|i| {
                 let (s, cos) = (-FRAC_PI_2 + (f64::from(i) + 0.5) * step).sin_cos();
                 let d = (view.x - s).abs();
@@ -291,7 +291,7 @@ mod tests {
 
     #[test]
     fn derivatives_are_those_of_the_values() {
-        const STEP: f64 = 1e-5;
+        const DIFFERENCE_STEP: f64 = 1e-5;
         for (x, low, high, own) in
             [(0.7, 0.02, 0.09, false), (1.4, -0.3, 0.2, false), (0.3, -0.05, 0.05, true)]
         {
@@ -299,16 +299,16 @@ mod tests {
                 let view = View { x: x + dx, low: low * factor, high: high * factor, own };
                 view.upright().by_quadrature::<MAX_TERMS, false>(&RULES, &[]).value
             };
-            let (ahead, behind) = (at(STEP, 1.0), at(-STEP, 1.0));
-            let (more, less) = (at(0.0, STEP.exp()), at(0.0, (-STEP).exp()));
+            let (ahead, behind) = (at(DIFFERENCE_STEP, 1.0), at(-DIFFERENCE_STEP, 1.0));
+            let (more, less) = (at(0.0, DIFFERENCE_STEP.exp()), at(0.0, (-DIFFERENCE_STEP).exp()));
             for k in 0..MAX_TERMS {
                 let pressure: [f64; MAX_TERMS] =
                     std::array::from_fn(|i| f64::from(u8::from(i == k)));
                 let view = View { x, low, high, own };
                 let found = view.upright().by_quadrature::<MAX_TERMS, true>(&RULES, &pressure);
-                let by_e = (more[k] - less[k]) / (2.0 * STEP);
+                let by_e = (more[k] - less[k]) / (2.0 * DIFFERENCE_STEP);
                 assert!((found.by_e - by_e).abs() < 2e-5, "{k}: {} {by_e}", found.by_e);
-                let by_x = (ahead[k] - behind[k]) / (2.0 * STEP);
+                let by_x = (ahead[k] - behind[k]) / (2.0 * DIFFERENCE_STEP);
                 assert!(own || (found.by_x - by_x).abs() < 1e-4, "{k}: {by_x}");
             }
         }

@@ -8,16 +8,16 @@ use super::strip::Strip;
 use super::system::{Depth, Step, System, points};
 use crate::numerics::{largest_magnitude, lu::Lu};
 
-/// What is to be solved, in the solver's units.
+/// Problem of the strip system, in the solver's units.
 #[derive(Clone, Copy)]
 pub(crate) struct StripProblem<'a> {
     pub(crate) depth: Depth<'a>,
     /// The load, where that is prescribed and not the approach.
     pub(crate) load: Option<f64>,
     /// Largest residual.
-    pub(crate) enough: f64,
-    /// To which part the stiffness is wanted.
-    pub(crate) nearly: f64,
+    pub(crate) residual_tolerance: f64,
+    /// Relative tolerance of the stiffness.
+    pub(crate) stiffness_tolerance: f64,
     /// The matrix of like strips close by, to begin with.
     pub(crate) known: Option<&'a Arc<Factors>>,
 }
@@ -30,7 +30,7 @@ impl StripProblem<'_> {
     }
 }
 
-/// Strips that touch all along, in the solver's units.
+/// Solution of the strip system, in the solver's units: strips that touch all along.
 #[derive(Debug, Clone)]
 pub(crate) struct StripSolution {
     pub(crate) strips: Vec<Strip>,
@@ -41,7 +41,7 @@ pub(crate) struct StripSolution {
     pub(crate) factors: Arc<Factors>,
 }
 
-/// Where the iteration stopped, and by how much it would next have the logarithms of the half
+/// Failure of the iteration: where it stopped, and by how much it would next have the logarithms of the half
 /// lengths fall.
 #[derive(Debug, Clone)]
 pub(crate) struct StripFailure {
@@ -51,17 +51,17 @@ pub(crate) struct StripFailure {
     pub(crate) is_closer: bool,
 }
 
-/// Solves from a start close by, with 2, 4 or [`MAX_DAMPED_STEPS`] polynomials a strip.
+/// Solves from a start close by, with 2, 4 or [`MAX_TERMS`](super::MAX_TERMS) polynomials a strip.
 pub(crate) fn solve(
     strips: Vec<Strip>,
     terms: usize,
-    question: StripProblem<'_>,
+    problem: StripProblem<'_>,
 ) -> Result<StripSolution, StripFailure> {
-    const STEPS: usize = 20;
+    const MAX_NEWTON_STEPS: usize = 20;
     const CLOSER: f64 = 0.7;
-    let mut search = Search::new(strips, terms, question);
+    let mut search = Search::new(strips, terms, problem);
     let (mut end, first) = (Ok(()), search.size());
-    for _ in 0..STEPS {
+    for _ in 0..MAX_NEWTON_STEPS {
         let size = search.size();
         if search.is_nearly_there(size)
             && let Some(touching) = search.last_step()
@@ -80,7 +80,7 @@ pub(crate) fn solve(
 
 /// An iteration. A matrix serves for several steps while each makes the residual much smaller.
 struct Search<'a> {
-    question: StripProblem<'a>,
+    problem: StripProblem<'a>,
     system: System,
     residual: DVector<f64>,
     factors: Option<Arc<Factors>>,
@@ -95,34 +95,35 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(strips: Vec<Strip>, terms: usize, question: StripProblem<'a>) -> Self {
+    fn new(strips: Vec<Strip>, terms: usize, problem: StripProblem<'a>) -> Self {
         let system = System { strips, terms, points: points(terms), deeper: 0.0 };
-        let known = question.known.filter(|known| known.fit(&system)).cloned();
+        let known = problem.known.filter(|known| known.fit(&system)).cloned();
         let (residual, factors) = if known.is_some() {
-            (system.residual(question.depth), known)
+            (system.residual(problem.depth), known)
         } else {
-            let (residual, matrix) = system.linearized(question.depth);
+            let (residual, matrix) = system.linearized(problem.depth);
             (residual, Factors::new(&system, &matrix))
         };
         let (taken, left) = (Vec::new(), 1.0);
-        Self { question, system, residual, factors, taken, left, damped: 0, slow: 0, vanishing: 0 }
+        Self { problem, system, residual, factors, taken, left, damped: 0, slow: 0, vanishing: 0 }
     }
 
     fn size(&self) -> f64 {
-        self.question.size(&self.system, &self.residual)
+        self.problem.size(&self.system, &self.residual)
     }
 
     /// Whether one more step will be enough: it leaves about the same part as the last one.
     fn is_nearly_there(&self, size: f64) -> bool {
         const SAFETY: f64 = 10.0;
-        size.min(SAFETY * self.left * size) < self.question.enough
+        size.min(SAFETY * self.left * size) < self.problem.residual_tolerance
     }
 
-    /// A step after which nothing is evaluated any more, and how the load follows the depth: by the last
-    /// matrix, if that is of a place near enough.
+    /// Final quasi-Newton step without a residual check, and the derivative of the load by the depth: both by the
+    /// last matrix, if that belongs to a point close enough.
     fn last_step(&mut self) -> Option<StripSolution> {
         let known = self.factors.take();
-        let known = known.filter(|factors| factors.distance(&self.system) < self.question.nearly);
+        let known = known
+            .filter(|factors| factors.distance(&self.system) < self.problem.stiffness_tolerance);
         let factors = known.or_else(|| self.linearized())?;
         let step = self.step(&factors)?;
         let System { strips, deeper, .. } = self.system.after(&step)?;
@@ -180,8 +181,8 @@ impl<'a> Search<'a> {
         let mut length = self.system.longest(&step.unknowns)?;
         while length > SHORTEST {
             let system = self.system.moved(step, length);
-            let residual = system.residual(self.question.depth);
-            let left = self.question.size(&system, &residual);
+            let residual = system.residual(self.problem.depth);
+            let left = self.problem.size(&system, &residual);
             if left < size * (1.0 - 0.1 * length) {
                 return Some(Improved { system, residual, size: left, length });
             }
@@ -193,13 +194,13 @@ impl<'a> Search<'a> {
     /// A matrix of this place.
     fn linearized(&mut self) -> Option<Arc<Factors>> {
         self.taken.clear();
-        Factors::new(&self.system, &self.system.linearized(self.question.depth).1)
+        Factors::new(&self.system, &self.system.linearized(self.problem.depth).1)
     }
 
     /// A step with a matrix; where the load is not prescribed, as the steps taken with it tell how it errs.
     fn step(&self, factors: &Factors) -> Option<Step> {
-        let mut step = factors.step(&self.system, &self.residual, self.question.load)?;
-        if self.question.load.is_none() {
+        let mut step = factors.step(&self.system, &self.residual, self.problem.load)?;
+        if self.problem.load.is_none() {
             improve(&mut step.unknowns, &self.taken);
         }
         Some(step)
@@ -211,10 +212,10 @@ impl<'a> Search<'a> {
         const FAST: f64 = 0.15;
         const OLD_STEPS: i32 = 2;
         let part = left / size;
-        part < FAST || left * part.powi(OLD_STEPS) < self.question.enough
+        part < FAST || left * part.powi(OLD_STEPS) < self.problem.residual_tolerance
     }
 
-    /// A damped step, where that helps; it is dear, so there are few.
+    /// Levenberg-Marquardt step as a fallback, few times, for it forms the normal equations.
     fn damp(&mut self) -> bool {
         const MAX_DAMPED_STEPS: usize = 2;
         const STRIPS: usize = 40;
@@ -222,7 +223,7 @@ impl<'a> Search<'a> {
         if self.damped > MAX_DAMPED_STEPS || self.system.strips.len() > STRIPS {
             return false;
         }
-        let found = self.system.damped(&self.residual, self.question.depth);
+        let found = self.system.damped(&self.residual, self.problem.depth);
         let helps = found.is_some();
         if let Some(next) = found {
             (self.system, self.residual) = next;
@@ -243,17 +244,17 @@ struct Improved {
 /// Improves a step by those taken with the same matrix, as if each had updated that (Broyden 1965).
 fn improve(step: &mut DVector<f64>, taken: &[DVector<f64>]) {
     /// A part that may be left of the step along the last one: else the matrix is of no use there.
-    const LEAST: f64 = 0.3;
+    const MIN_REMAINDER: f64 = 0.3;
     let part = |along: &DVector<f64>, step: &DVector<f64>| along.dot(step) / along.norm_squared();
     for pair in taken.windows(2) {
         step.axpy(part(&pair[0], step), &pair[1], 1.0);
     }
     if let Some(last) = taken.last() {
-        *step /= (1.0 - part(last, step)).max(LEAST);
+        *step /= (1.0 - part(last, step)).max(MIN_REMAINDER);
     }
 }
 
-/// The factored matrix of some system.
+/// LU factors of a strip system's matrix.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Factors {
     lu: Lu,

@@ -12,9 +12,9 @@ use crate::numerics::simd_math::{LANES, Lanes, each};
 
 /// Most polynomials in a strip's pressure.
 pub(crate) const MAX_TERMS: usize = 8;
-/// So many polynomials are symmetric pressures about a centre that is known.
+/// Terms of the one-term basis: symmetric pressure, centre fixed.
 pub(in crate::normal) const CENTRED: usize = 1;
-/// So many do with fewer points of quadrature.
+/// Largest number of terms that need only the smaller quadrature rules.
 pub(super) const FEW_TERMS: usize = 4;
 
 /// Points of quadrature on the strip, and weights with each polynomial.

@@ -1,4 +1,4 @@
-//! Displacement by what lies between a strip's side and the line through a point, from a table.
+//! Table of the strip kernel: displacement by what lies between a strip's side and the line through a point.
 //!
 //! With `e` the distance of the side from that line and `d = X - s`, the integrand of a strip is the
 //! difference of `ln(e + sqrt(e^2 + d^2))` between its two sides, so that its integrals are those of
@@ -76,9 +76,9 @@ impl Places {
     }
 }
 
-/// `G_k`, and the derivatives of their sum weighted with pressures.
+/// Sums `G_k` of sides, and the derivatives of their sum weighted with pressures.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sides<const T: usize> {
+pub(super) struct SideSums<const T: usize> {
     pub(super) value: [Lanes; T],
     pub(super) by_x: Lanes,
     /// By the logarithm of `e`.
@@ -122,7 +122,7 @@ impl Table {
         &self,
         Places { e, mean, sin, product }: &Places,
         pressure: &[Lanes; T],
-    ) -> Sides<T> {
+    ) -> SideSums<T> {
         let cos = each(|l| ((1.0 - sin[l]) * (1.0 + sin[l])).max(0.0).sqrt());
         let q = each(|l| sin[l] / (1.0 + cos[l]));
         // A point on the side itself has r = 0, and e with it.
@@ -134,7 +134,7 @@ impl Table {
         let value = from_fn(|k| each(|l| rest[k][l] + with_log[k][l] * log[l]));
         let zero = [0.0; LANES];
         if !SLOPES {
-            return Sides { value, by_x: zero, by_e: zero };
+            return SideSums { value, by_x: zero, by_e: zero };
         }
         let weighted =
             |f: &[Lanes; T]| each(|l| (0..T).map(|k| pressure[k][l] * f[k][l]).sum::<f64>());
@@ -150,7 +150,7 @@ impl Table {
         // Real and imaginary part of 1/cos(t + i l).
         let along = each(|l| cos[l] * mean[l] / product[l]);
         let across = each(|l| sin[l] * sinh[l] / product[l]);
-        Sides {
+        SideSums {
             value,
             by_x: each(|l| by_t[l] * along[l] + by_l[l] * across[l]),
             by_e: each(|l| e[l] * (by_l[l] * along[l] - by_t[l] * across[l])),

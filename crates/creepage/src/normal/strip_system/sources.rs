@@ -350,7 +350,7 @@ mod tests {
     /// Between the sides of a strip of another band, beyond its end.
     #[test]
     fn slopes_of_the_table_are_those_of_its_values() {
-        const STEP: f64 = 1e-5;
+        const DIFFERENCE_STEP: f64 = 1e-5;
         for (x, low, high) in [(1.2, -0.1, 0.3), (-1.1, -0.2, 0.25), (0.4, 0.05, 0.2)] {
             assert!(is_tabulated(x, high));
             let strip = one(low, high);
@@ -358,7 +358,8 @@ mod tests {
                 let found = strip.displacements::<true>([x, 0.0], None);
                 (PI * strip.sum(&found), PI * found.by_x[0])
             };
-            let by_x = (at(x + STEP).0 - at(x - STEP).0) / (2.0 * STEP);
+            let by_x =
+                (at(x + DIFFERENCE_STEP).0 - at(x - DIFFERENCE_STEP).0) / (2.0 * DIFFERENCE_STEP);
             // Within a cubic they are the same but for what the difference leaves out.
             assert!((at(x).1 - by_x).abs() < 1e-7, "{x}: {} {by_x}", at(x).1);
         }

@@ -1,4 +1,4 @@
-//! A strip along rolling and its pressure; the highest of several.
+//! Strip along rolling and its pressure; the peak of several.
 
 use super::kernel::profile;
 use super::rules::MAX_TERMS;
@@ -29,13 +29,16 @@ impl Strip {
 
     /// No tension anywhere in it.
     pub(in crate::normal) fn is_compressive(&self) -> bool {
-        const POINTS: i32 = 8;
-        (-POINTS..=POINTS).all(|i| profile(&self.pressure, f64::from(i) / f64::from(POINTS)) >= 0.0)
+        const SAMPLES: i32 = 8;
+        (-SAMPLES..=SAMPLES)
+            .all(|i| profile(&self.pressure, f64::from(i) / f64::from(SAMPLES)) >= 0.0)
     }
 
     pub(in crate::normal) fn peak(&self) -> f64 {
-        const POINTS: i32 = 20;
-        (1 - POINTS..POINTS).map(|i| self.at(f64::from(i) / f64::from(POINTS))).fold(0.0, f64::max)
+        const SAMPLES: i32 = 20;
+        (1 - SAMPLES..SAMPLES)
+            .map(|i| self.at(f64::from(i) / f64::from(SAMPLES)))
+            .fold(0.0, f64::max)
     }
 }
 

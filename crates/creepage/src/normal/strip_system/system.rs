@@ -199,8 +199,8 @@ impl System {
             }
         }
         if SLOPES {
-            const STEP: f64 = 1e-3;
-            let h = STEP * strip.half;
+            const DIFFERENCE_STEP: f64 = 1e-3;
+            let h = DIFFERENCE_STEP * strip.half;
             slope -= (depth(x + h, strip.y) - depth(x - h, strip.y)) / (2.0 * h);
             if T != CENTRED {
                 row[i * size + T] += slope * strip.half;

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use super::level::NormalProblem;
 use super::patch::Patch;
 use super::patch_strip::Band;
-use super::solution::Found;
+use super::solution::SolvedPatches;
 use super::strip_system::{self, CENTRED, Depth, Factors, Strip, StripProblem, StripSolution};
 use super::turn::Turn;
 use strip_layout::{Units, centre, laid, patches};
@@ -20,7 +20,7 @@ use strip_layout::{Units, centre, laid, patches};
 pub(super) use strip_layout::most;
 pub(super) use waves::terms;
 
-/// What is asked of strips.
+/// Options of the strip method.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StripOptions {
     /// The load (N), where that is prescribed and not the approach.
@@ -30,9 +30,9 @@ pub(super) struct StripOptions {
     /// Polynomials in a strip's pressure; with one alone, strips stay where they are laid.
     pub(super) terms: usize,
     /// Largest residual over the depth.
-    pub(super) enough: f64,
-    /// To which part the stiffness is wanted.
-    pub(super) nearly: f64,
+    pub(super) residual_tolerance: f64,
+    /// Relative tolerance of the stiffness.
+    pub(super) stiffness_tolerance: f64,
     /// Whether the bodies must nowhere overlap beyond the strips.
     pub(super) complete: bool,
     /// Whether the peak pressure is wanted closer than the strips alone tell.
@@ -52,24 +52,23 @@ impl StripOptions {
 
 /// Solves from patches close by.
 ///
-/// A tip laid too far out leaves its strip nothing to touch: the strip shrinks to nothing, and
-/// the strips are laid anew with the tip drawn in. One laid too far inwards bears what the edge of a punch
-/// does, or the bodies overlap beyond it: it is pushed out. Where the ends found put a tip elsewhere than
-/// it was laid, they are laid anew too. Areas that come to touch are joined, and parted at a waist that
-/// vanishes.
-/// A matrix that is known of like strips close by is where Newton's method begins.
+/// Active-set iteration over the patches. Where a tip lies too far out, its strip shrinks to nothing: the patch is
+/// shrunk, and the strips are laid again. Where a tip lies too far inwards, its strip bears the pressure of a punch's
+/// edge, or the bodies overlap beyond it: the patch is grown. Strips are laid again too where their ends put a tip
+/// elsewhere than it was laid. Patches that come to touch are merged, and split at a waist that vanishes.
+/// Newton's method begins with the matrix of like strips close by, where one is known.
 ///
 /// An area that lies askew is pressed in axes along it.
 pub(super) fn solve(
     task: NormalProblem<'_>,
     start: &[Patch],
     known: Option<&Arc<Factors>>,
-    wanted: StripOptions,
-) -> Option<Found> {
+    options: StripOptions,
+) -> Option<SolvedPatches> {
     /// How often the axes are turned further along the area that was found, where that tells them.
     const ROUNDS: usize = 3;
     let rounds = if Turn::is_of_overlap(task) { 1 } else { ROUNDS };
-    let mut turned: Option<Found> = None;
+    let mut turned: Option<SolvedPatches> = None;
     for _ in 0..rounds {
         let (own, known) = match &turned {
             Some(found) => (&found.patches[..], found.factors.as_ref()),
@@ -78,14 +77,14 @@ pub(super) fn solve(
         let Some(turn) = Turn::along(task, own) else { break };
         let gap = turn.gap(task.gap, own);
         let inner = NormalProblem { gap: &gap, ..task };
-        let found = solve_along_x(inner, &turn.inwards(own)?, known, wanted)?;
-        let is_along = found.stairs < Turn::LEAST;
-        turned = Some(Found { patches: turn.outwards(&found.patches)?, ..found });
+        let found = solve_along_x(inner, &turn.inwards(own)?, known, options)?;
+        let is_along = found.stairs < Turn::MIN_STAIRS;
+        turned = Some(SolvedPatches { patches: turn.outwards(&found.patches)?, ..found });
         if is_along {
             break;
         }
     }
-    turned.or_else(|| solve_along_x(task, start, known, wanted))
+    turned.or_else(|| solve_along_x(task, start, known, options))
 }
 
 /// The same by strips along x, whichever way the area lies.
@@ -93,35 +92,38 @@ fn solve_along_x(
     task: NormalProblem<'_>,
     start: &[Patch],
     known: Option<&Arc<Factors>>,
-    wanted: StripOptions,
-) -> Option<Found> {
-    let StripOptions { count, terms, enough, nearly, mut attempts, .. } = wanted;
+    options: StripOptions,
+) -> Option<SolvedPatches> {
+    let StripOptions {
+        count, terms, residual_tolerance, stiffness_tolerance, mut attempts, ..
+    } = options;
     let units = Units::of(task, start)?;
     let gap = |x: f64, y: f64| {
         let place = [x, y].map(|at| at * units.length);
         let h = task.gap.at(units.origin[0] + place[0], units.origin[1] + place[1]);
         (task.approach - h) / units.depth
     };
-    let load = wanted.load.map(|load| load / units.force());
-    let question = StripProblem { depth: &gap, load, enough, nearly, known };
+    let load = options.load.map(|load| load / units.force());
+    let problem =
+        StripProblem { depth: &gap, load, residual_tolerance, stiffness_tolerance, known };
     let (mut start, mut settled, mut is_joined) = (start.to_vec(), 0, false);
     while attempts > 0 {
         let mut laid = laid(&start, count, terms, units)?;
         if terms == CENTRED {
             centre(&mut laid, task.gap, units);
         }
-        match strip_system::solve(laid.clone(), terms, question) {
+        match strip_system::solve(laid.clone(), terms, problem) {
             Ok(touching) if touching.strips.iter().all(Strip::is_compressive) => {
                 let strips = &touching.strips;
                 let patches = patches(&start, strips, units);
-                if settled < SETTLED && moved([&start, &patches], &laid, wanted.settled, units) {
+                if settled < SETTLED && moved([&start, &patches], &laid, options.settled, units) {
                     settled += 1;
                     start = patches;
                     continue;
                 }
                 let falls = fall_to_tips(&patches, strips);
                 let mut beyond = Vec::new();
-                if wanted.complete || !falls {
+                if options.complete || !falls {
                     beyond = overlap_check::overlapped(task, &touching, units, terms, &gap)?;
                 }
                 if !falls || !beyond.is_empty() {
@@ -135,7 +137,7 @@ fn solve_along_x(
                     start = merged;
                     continue;
                 }
-                return Some(found(task, patches, &touching, wanted, &gap, units));
+                return Some(found(task, patches, &touching, options, &gap, units));
             }
             Ok(StripSolution { strips, .. }) => {
                 attempts -= 1;
@@ -158,11 +160,11 @@ fn found(
     StripOptions { terms, summit, .. }: StripOptions,
     depth: Depth<'_>,
     units: Units,
-) -> Found {
+) -> SolvedPatches {
     let strips = &touching.strips;
     let peak = strip_system::peak(strips);
     let summit = summit.then(|| strip_system::height(touching, terms, depth)).flatten();
-    Found {
+    SolvedPatches {
         stairs: patches.iter().flat_map(Patch::bands).map(Band::stairs).fold(0.0, f64::max),
         patches,
         approach: task.approach + units.depth * touching.deeper,
@@ -175,7 +177,7 @@ fn found(
     }
 }
 
-/// How often strips are laid anew because a tip lies elsewhere.
+/// Most re-layouts of the strips because a tip lies elsewhere.
 const SETTLED: usize = 2;
 
 /// Whether a tip that was found lies away from where it was laid by a part of its strip's width.

@@ -12,7 +12,7 @@ const ROWS: u32 = 160;
 const COLUMNS: usize = 40;
 /// An overlap in parts of the greatest depth that counts: strips end where the pressure does to
 /// about that.
-const LEAST: f64 = 2e-3;
+const OVERLAP_TOLERANCE: f64 = 2e-3;
 
 /// Places beyond the strips at which the bodies overlap, in the solver's units; `None` where strips leave
 /// the known gap.
@@ -26,7 +26,7 @@ pub(super) fn overlapped(
     let (strips, arch) = (&touching.strips[..], Arch::new());
     let depth = |[x, y]: [f64; 2]| depth(x, y) + touching.deeper;
     let mut places = points(task, strips, units, &depth)?;
-    places.retain(|at| depth(*at) > LEAST);
+    places.retain(|at| depth(*at) > OVERLAP_TOLERANCE);
     let displaced = match terms {
         CENTRED => arch.dispatch(Displaced::<1> { strips, places: &places }),
         2 => arch.dispatch(Displaced::<2> { strips, places: &places }),
@@ -34,7 +34,7 @@ pub(super) fn overlapped(
         _ => arch.dispatch(Displaced::<MAX_TERMS> { strips, places: &places }),
     };
     let pairs = places.into_iter().zip(displaced);
-    Some(pairs.filter(|(at, by)| depth(*at) - by >= LEAST).map(|(at, _)| at).collect())
+    Some(pairs.filter(|(at, by)| depth(*at) - by >= OVERLAP_TOLERANCE).map(|(at, _)| at).collect())
 }
 
 /// Places beyond the strips where the bodies might touch, in the solver's units: the deepest ones of

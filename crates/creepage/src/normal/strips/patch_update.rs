@@ -6,8 +6,8 @@ use crate::normal::patch::Patch;
 use crate::normal::patch_strip::Band;
 use crate::normal::strip_system::{Strip, StripFailure};
 
-/// Without those outermost strips at a tip that are pulled, and with such tips drawn in to the middle of
-/// theirs, or else parted where strips within are pulled; `None` where that leaves hardly any.
+/// Removes tensile strips at the ends of a patch and shrinks it to the middle of the last one; if only interior strips
+/// are tensile, splits the patch there. `None` where that leaves hardly any.
 pub(super) fn without_tensile(
     start: &[Patch],
     strips: &[Strip],

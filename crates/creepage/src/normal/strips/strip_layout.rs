@@ -50,14 +50,14 @@ const MOST_STRIPS: usize = 120;
 /// neighbours by chance.
 pub(in crate::normal) fn most(start: &[Patch]) -> usize {
     const SLENDEREST: f64 = 200.0;
-    const LEAST: usize = 6;
+    const MIN_STRIPS: usize = 6;
     let bands = || start.iter().flat_map(Patch::bands);
     let widest = bands().map(width).fold(0.0, f64::max);
     let most = bands().map(|band| {
         let [from, to] = band.x();
         SLENDEREST * (width(band) * widest).sqrt() / (0.5 * (to - from))
     });
-    whole(most.fold(f64::INFINITY, f64::min).min(f64::from(u16::MAX))).max(LEAST)
+    whole(most.fold(f64::INFINITY, f64::min).min(f64::from(u16::MAX))).max(MIN_STRIPS)
 }
 
 /// Strips in all bands, more in the wider ones; `None` if they are too many.
@@ -96,8 +96,8 @@ fn lay(band: &Band, index: usize, count: usize, terms: usize, units: Units) -> V
     // Sine of nine tenths of a right angle: the outermost strips are a third as wide.
     const CLUSTER: f64 = 0.8 * std::f64::consts::FRAC_PI_2;
     // Of the shortest chord: at a waist a cubic through squared lengths may fall below zero.
-    const LEAST: f64 = 0.2;
-    let least = LEAST * band.shortest();
+    const MIN_CHORD: f64 = 0.2;
+    let least = MIN_CHORD * band.shortest();
     let [low, high] = band.y();
     let border = |i: usize| {
         let t = 2.0 * i as f64 / count as f64 - 1.0;
@@ -125,17 +125,17 @@ fn lay(band: &Band, index: usize, count: usize, terms: usize, units: Units) -> V
 
 /// The band's pressure at a y in the first of Chebyshev's polynomials.
 fn projected(band: &Band, y: f64, terms: usize) -> [f64; MAX_TERMS] {
-    const POINTS: u32 = 24;
+    const QUADRATURE_POINTS: u32 = 24;
     let mut coefficients = [0.0; MAX_TERMS];
     let line = band.line(y);
-    for i in 1..=POINTS {
-        let angle = std::f64::consts::PI * f64::from(i) / f64::from(POINTS + 1);
+    for i in 1..=QUADRATURE_POINTS {
+        let angle = std::f64::consts::PI * f64::from(i) / f64::from(QUADRATURE_POINTS + 1);
         let (sin, s) = angle.sin_cos();
         let pressure = line.pressure(s);
         for (k, coefficient) in coefficients.iter_mut().take(terms).enumerate() {
             // U_k(cos t) = sin((k+1) t) / sin t.
             let sine = ((k + 1) as f64 * angle).sin();
-            *coefficient += 2.0 / f64::from(POINTS + 1) * pressure * sine * sin / sin;
+            *coefficient += 2.0 / f64::from(QUADRATURE_POINTS + 1) * pressure * sine * sin / sin;
         }
     }
     coefficients
@@ -187,7 +187,7 @@ fn band(strips: &[Strip], units: Units, laid: &Band, tips: [bool; 2]) -> Band {
 /// it, within these parts of the way from the first to where the tip was laid: one that lies further
 /// is gone towards. It follows the half lengths without a jump.
 fn tip(squares: &[(f64, f64)], laid: f64) -> f64 {
-    const NEAR: [f64; 2] = [0.5, 1.5];
+    const TIP_RANGE: [f64; 2] = [0.5, 1.5];
     let &[(y0, v0), (y1, v1), (y2, v2), ..] = squares else { return laid };
     let inward = (y1 - y0).signum();
     let rise = (v1 - v0) / (y1 - y0).abs();
@@ -198,7 +198,7 @@ fn tip(squares: &[(f64, f64)], laid: f64) -> f64 {
     let denominator = slope + root.max(0.0).sqrt();
     let distance = if root < 0.0 { slope / (2.0 * bend) } else { 2.0 * v0 / denominator };
     let reach = (laid - y0).abs();
-    let most = NEAR[1] * reach;
+    let most = TIP_RANGE[1] * reach;
     let falls = distance > 0.0 && distance.is_finite();
-    y0 - inward * if falls { distance.clamp(NEAR[0] * reach, most) } else { most }
+    y0 - inward * if falls { distance.clamp(TIP_RANGE[0] * reach, most) } else { most }
 }

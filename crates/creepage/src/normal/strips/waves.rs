@@ -1,4 +1,5 @@
-//! Whether strips follow the waves of a gap: by enough polynomials along them, and closely enough across.
+//! Resolution check: whether strips follow the waves of a gap, by enough polynomials along them, and closely enough
+//! across.
 
 use std::f64::consts::PI;
 
@@ -48,13 +49,13 @@ fn missing(gap: &Gap, band: &Band, terms: usize) -> f64 {
 
 /// Degrees and coefficients of Chebyshev's polynomials that give a function.
 fn chebyshev(of: impl Fn(f64) -> f64) -> impl Iterator<Item = (usize, f64)> {
-    const POINTS: usize = 24;
-    let angle = |i: usize| PI * (i as f64 + 0.5) / POINTS as f64;
-    let values: [f64; POINTS] = std::array::from_fn(|i| of(angle(i).cos()));
-    (0..POINTS).map(move |m| {
+    const TERMS: usize = 24;
+    let angle = |i: usize| PI * (i as f64 + 0.5) / TERMS as f64;
+    let values: [f64; TERMS] = std::array::from_fn(|i| of(angle(i).cos()));
+    (0..TERMS).map(move |m| {
         let parts = values.iter().enumerate();
         let sum: f64 = parts.map(|(i, value)| value * (m as f64 * angle(i)).cos()).sum();
-        (m, 2.0 / POINTS as f64 * sum)
+        (m, 2.0 / TERMS as f64 * sum)
     })
 }
 

@@ -1,6 +1,6 @@
-//! What particles bring along to a cell: traction, friction and slip where they were before.
+//! Particles that arrive at a cell: traction, friction and slip where they were before.
 
-use super::super::history::Level;
+use super::super::history::TimeLevel;
 use super::super::particle::BISECTIONS;
 use super::march::March;
 use crate::approximate::fastsim::friction_bound::Walk;
@@ -14,7 +14,12 @@ const SHORTEST: f64 = 0.01;
 
 impl March<'_> {
     /// The particle now at cell `i` of a strip, at `x`, as it was some way back, and that way.
-    pub(super) fn arriving(&self, [strip, i]: [usize; 2], x: f64, present: &Level) -> (Walk, f64) {
+    pub(super) fn arriving(
+        &self,
+        [strip, i]: [usize; 2],
+        x: f64,
+        present: &TimeLevel,
+    ) -> (Walk, f64) {
         let (own, cells, origin) = (&self.of.strips[strip], self.of.cells, self.ages.origin());
         let way = self.scale * 2.0 * own.half_length / cells as f64;
         let edge = if i == 0 { 0.5 * way } else { way };
@@ -43,7 +48,13 @@ impl March<'_> {
     }
 
     /// Traction, friction and slip of the particle that was between cells some way back.
-    fn known(&self, upstream: Option<usize>, spread: &Spread, back: f64, present: &Level) -> Walk {
+    fn known(
+        &self,
+        upstream: Option<usize>,
+        spread: &Spread,
+        back: f64,
+        present: &TimeLevel,
+    ) -> Walk {
         let weights = self.ages.weights(back);
         let past = &self.of.past.0;
         let mut walk = Walk::start();
@@ -98,7 +109,7 @@ fn beside(place: f64, count: usize) -> [(usize, f64); 2] {
 }
 
 /// Adds a level's tractions, friction and slip, `rest` the friction where a particle enters.
-fn add(walk: &mut Walk, level: &Level, spread: &Spread, rest: f64, weight: f64) {
+fn add(walk: &mut Walk, level: &TimeLevel, spread: &Spread, rest: f64, weight: f64) {
     let mut friction = rest;
     for (cell, part) in spread {
         let traction = level.at(*cell);

@@ -1,10 +1,10 @@
-//! One step of FASTSIM at a creepage: every particle from where it was to the cell where it is.
+//! March of one transient step of FASTSIM at a creepage: every particle from where it was to the cell where it is.
 
-use super::super::history::{Ages, Creep, Level};
+use super::super::history::{Ages, Creep, TimeLevel};
 use super::{RollingFastsim, Strip};
 use crate::approximate::fastsim::friction_bound::{Step, Walk};
 
-/// What tractions add up to.
+/// Force and moment of tractions.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Sum {
     pub force: [f64; 3],
@@ -13,7 +13,7 @@ pub(super) struct Sum {
     pub dissipation: f64,
 }
 
-/// A step that is being taken.
+/// March of one step.
 pub(super) struct March<'a> {
     pub of: &'a RollingFastsim,
     pub ages: Ages,
@@ -23,11 +23,11 @@ pub(super) struct March<'a> {
 
 impl RollingFastsim {
     /// A step of some length to some size, at a creepage.
-    pub(super) fn march(&self, [length, scale]: [f64; 2], creep: Creep) -> (Level, Sum) {
+    pub(super) fn march(&self, [length, scale]: [f64; 2], creep: Creep) -> (TimeLevel, Sum) {
         let ages = self.past.seen_after(length, scale, true);
         let march = March { of: self, ages, scale };
         let level = super::level(length, scale, self.size(), self.resistance.is_some());
-        let (mut level, mut sum) = (Level { creep, smooth: true, ..level }, Sum::default());
+        let (mut level, mut sum) = (TimeLevel { creep, smooth: true, ..level }, Sum::default());
         for strip in 0..self.strips.len() {
             march.strip(strip, &mut level, &mut sum);
         }
@@ -36,7 +36,7 @@ impl RollingFastsim {
 }
 
 impl March<'_> {
-    fn strip(&self, number: usize, level: &mut Level, sum: &mut Sum) {
+    fn strip(&self, number: usize, level: &mut TimeLevel, sum: &mut Sum) {
         let (strip, cells) = (&self.of.strips[number], self.of.cells);
         let step = 2.0 * strip.half_length / cells as f64;
         for i in 0..cells {
@@ -107,7 +107,7 @@ impl March<'_> {
     }
 
     /// Creepage averaged over a way back.
-    fn mean(&self, present: &Level, back: f64) -> Creep {
+    fn mean(&self, present: &TimeLevel, back: f64) -> Creep {
         let mut sums = present.creep.map(|part| part * back.min(present.length));
         for (level, start) in self.of.past.0.iter().zip(&self.ages.back[1..]) {
             let part = (start + level.length).min(back) - start;

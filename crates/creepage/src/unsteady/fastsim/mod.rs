@@ -1,5 +1,5 @@
-//! FASTSIM that is not steady: the traction of a particle grows on its way as its slip asks for,
-//! whatever others do, and is cut off at its bound.
+//! Transient FASTSIM: the traction of a particle grows on its way as its slip asks for, whatever others do, and is cut
+//! off at its bound.
 //!
 //! With the flexibilities `L` of steady FASTSIM, `s = w + L (dX/dx - dX/dq)`: from the centre of one
 //! cell to that of the next the traction grows by the rigid slip over `L` in between, averaged over the
@@ -7,13 +7,13 @@
 
 mod arriving;
 mod march;
-mod meet;
 
 use march::Sum;
 
-use super::history::{Creep, Level, Past};
+use super::history::{Creep, Past, TimeLevel};
 use super::load::Course;
 use super::motion::Motion;
+use super::prescribed_forces::{Accuracy, solve_prescribed};
 use super::rolling::{Rolled, no_layer};
 use crate::approximate::fastsim::friction_bound::FrictionBound;
 use crate::approximate::fastsim::{Flexibilities, Flexibility, Settings};
@@ -57,12 +57,12 @@ pub struct RollingFastsim {
     /// Where friction depends on the slip or the place.
     resistance: Option<FrictionBound>,
     pub(super) past: Past,
-    pub(super) travel: Travel,
+    pub(super) travel: RollingState,
 }
 
-/// Where the contact is, how it is loaded and how it last moved.
+/// State of rolling: where the contact is, how it is loaded and how it last moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Travel {
+pub(super) struct RollingState {
     pub distance: f64,
     /// Normal force over the nominal one, now and at the end of the next step.
     pub loads: [f64; 2],
@@ -125,7 +125,12 @@ impl RollingFastsim {
             semi_axes: [ellipse.a(), ellipse.b()],
             resistance,
             past: Past(std::iter::once(begin).collect()),
-            travel: Travel { distance: 0.0, loads: [1.0; 2], creep: [0.0; 3], force: [0.0; 3] },
+            travel: RollingState {
+                distance: 0.0,
+                loads: [1.0; 2],
+                creep: [0.0; 3],
+                force: [0.0; 3],
+            },
         })
     }
 
@@ -208,7 +213,7 @@ impl RollingFastsim {
         if self.travel.loads[0] == 0.0 {
             self.begin(load);
         }
-        let (level, sum, solved) = self.meet(length, load.cbrt(), motion);
+        let (level, sum, solved) = self.solve_prescribed(length, load.cbrt(), motion);
         self.travel.creep = level.creep;
         self.travel.force = sum.force;
         self.travel.loads[0] = load;
@@ -216,6 +221,18 @@ impl RollingFastsim {
         self.past.forget_beyond(largest * 2.0 * self.semi_axes[0] / self.cells as f64);
         self.past.0.push_front(level);
         self.rolled(&sum, solved)
+    }
+
+    /// The step at the creepage that meets the prescribed forces, from the last creepage.
+    fn solve_prescribed(&self, length: f64, scale: f64, motion: &Motion) -> (TimeLevel, Sum, bool) {
+        let accuracy = Accuracy { tolerance: 1e-9 * scale.powi(3), difference: 1e-6 };
+        let march = |creep| {
+            let (level, sum) = self.march([length, scale], creep);
+            ((level, sum), sum.force)
+        };
+        let (_, (level, sum), solved) =
+            solve_prescribed(motion.components(), self.travel.creep, accuracy, march);
+        (level, sum, solved)
     }
 
     /// The bodies touch under a load, without traction.
@@ -269,9 +286,9 @@ impl RollingFastsim {
 }
 
 /// No traction, friction at rest; that of each cell where it depends on something.
-fn level(length: f64, scale: f64, cells: usize, varies: bool) -> Level {
+fn level(length: f64, scale: f64, cells: usize, varies: bool) -> TimeLevel {
     let remembered = if varies { cells } else { 0 };
-    Level {
+    TimeLevel {
         length,
         scale,
         creep: [0.0; 3],

@@ -1,25 +1,38 @@
-//! The creepage at which prescribed forces are met.
+//! Prescribed forces in a step: Newton's method in the creepage, by derivatives of the full theory with Broyden's
+//! update, by differences for theories that have none.
+
+use std::convert::Infallible;
 
 use nalgebra::{DMatrix, DVector};
 
+use super::history::Creep;
 use super::level::TransientLevel;
 use super::motion::{Motion, Prescribed};
 use crate::coulomb::friction_bound::FrictionBound;
+<<<<<<< HEAD:crates/creepage/src/unsteady/find.rs
 use crate::numerics::{broyden_update, largest_magnitude};
+=======
+use crate::numerics::{NewtonLimits, broyden_update, newton};
+>>>>>>> e7729200991473961730a66a303bfce00c678564:crates/creepage/src/unsteady/prescribed_forces.rs
 
 /// Largest difference from a prescribed force, in parts of `mu N`.
 const TOLERANCE: f64 = 1e-7;
-const STEPS: usize = 60;
+/// Newton steps towards prescribed forces.
+const MAX_NEWTON_STEPS: usize = 60;
+/// Halvings of one of these steps.
 const HALVINGS: usize = 30;
 /// Step of the creepage for differences, over one and its size: forces are solved to a millionth of it.
 const DIFFERENCE: f64 = 1e-3;
 /// A step that leaves less than this part of the residual corrects the slope (Broyden); after any other the slope is
 /// computed again.
 const NEARER: f64 = 0.3;
+/// Newton steps by differences, and halvings of each.
+const MAX_DIFFERENCE_STEPS: usize = 40;
+const MAX_HALVINGS: usize = 40;
 
 impl TransientLevel {
     /// Solves for a motion, from the creepage of the last solution where it is to be found.
-    pub(super) fn meet(&mut self, motion: &Motion) -> bool {
+    pub(super) fn solve_prescribed(&mut self, motion: &Motion) -> bool {
         let prescribed = motion.components();
         let mut creep = self.creep;
         for (creep, prescribed) in creep.iter_mut().zip(prescribed) {
@@ -31,10 +44,10 @@ impl TransientLevel {
             return converged;
         }
         if let [one] = unknown[..] {
-            return self.meet_one(one, prescribed);
+            return self.solve_one_prescribed(one, prescribed);
         }
         let mut slope = self.known_slope(&unknown);
-        for _ in 0..STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             let residual = self.residual(&unknown, prescribed);
             if largest_magnitude(residual.as_slice()) <= TOLERANCE {
                 if let Some(slope) = &slope {
@@ -75,13 +88,13 @@ impl TransientLevel {
 
     /// A single force rises with its creepage: Newton's steps, bisection where they leave the range in
     /// which the creepage must lie.
-    fn meet_one(&mut self, unknown: usize, prescribed: [Prescribed; 3]) -> bool {
+    fn solve_one_prescribed(&mut self, unknown: usize, prescribed: [Prescribed; 3]) -> bool {
         let mut range = [f64::NEG_INFINITY, f64::INFINITY];
         // The last creepage and what it left, where it came much nearer than the one before.
         let mut last: Option<[f64; 2]> = None;
         let mut known =
             self.known_slope(&[unknown]).map(|slope| slope[(0, 0)]).filter(|slope| *slope > 0.0);
-        for _ in 0..STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             let residual = self.residual(&[unknown], prescribed);
             if largest_magnitude(residual.as_slice()) <= TOLERANCE {
                 return self.outcome.converged;
@@ -192,5 +205,60 @@ impl TransientLevel {
             length *= 0.5;
         }
         None
+    }
+}
+
+/// Tolerance of a prescribed force, and the step of the creepage for its derivative.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Accuracy {
+    pub tolerance: f64,
+    pub difference: f64,
+}
+
+/// Newton's method with differences and a line search: the last solution and whether it meets the
+/// forces. Where that fails, far in full sliding where the force does not change, it starts again without
+/// creepage: from below, steps along a force that saturates do not overshoot.
+pub(super) fn solve_prescribed<T>(
+    prescribed: [Prescribed; 3],
+    start: Creep,
+    accuracy: Accuracy,
+    mut solve: impl FnMut(Creep) -> (T, [f64; 3]),
+) -> (Creep, T, bool) {
+    let mut from = |start: Creep| newton_by_differences(prescribed, start, accuracy, &mut solve);
+    let found = from(start);
+    let began_at_rest = start.iter().all(|part| *part == 0.0);
+    if found.2 || began_at_rest { found } else { from([0.0; 3]) }
+}
+
+fn newton_by_differences<T>(
+    prescribed: [Prescribed; 3],
+    start: Creep,
+    Accuracy { tolerance, difference }: Accuracy,
+    mut solve: impl FnMut(Creep) -> (T, [f64; 3]),
+) -> (Creep, T, bool) {
+    let unknown: Vec<(usize, f64)> =
+        (0..3).filter_map(|k| Some((k, prescribed[k].force()?))).collect();
+    let creep = |at: &DVector<f64>| {
+        let mut creep: Creep = [0, 1, 2].map(|k: usize| prescribed[k].creepage().unwrap_or(0.0));
+        unknown.iter().zip(at).for_each(|((k, _), at)| creep[*k] = *at);
+        creep
+    };
+    let over = |at: &DVector<f64>| -> Result<_, Infallible> {
+        let (value, force) = solve(creep(at));
+        let over = unknown.iter().map(|(k, wanted)| force[*k] - wanted);
+        Ok((value, DVector::from_iterator(unknown.len(), over)))
+    };
+    let first = DVector::from_iterator(unknown.len(), unknown.iter().map(|(k, _)| start[*k]));
+    let differences = DVector::from_element(unknown.len(), difference);
+    let limits = NewtonLimits {
+        tolerance,
+        max_steps: MAX_DIFFERENCE_STEPS,
+        max_halvings: MAX_HALVINGS,
+        least_decrease: 0.0,
+    };
+    let Ok(found) = newton(first, &differences, limits, over);
+    {
+        let is_met = found.largest() <= tolerance;
+        (creep(&found.at), found.value, is_met)
     }
 }

@@ -1,13 +1,11 @@
-//! What a row asks, and why one asks nothing.
+//! Query of one batch row, dimensionless or in SI units, and the columns that its answer appends.
 
-use creepage_study::{BulkRow, DamageWanted, Question};
+use creepage_study::{BulkQuery, BulkRow, DamageWanted};
 use csv::ByteRecord;
 
-use super::case_columns::CaseColumns;
-use super::columns::Columns;
-use super::field::NoCase;
+use super::columns::{CaseColumns, Columns, NoCase};
 
-/// How the columns of a table ask.
+/// Reader of a row's query from the table's columns.
 #[derive(Debug, Clone)]
 pub(super) enum Ask {
     /// Without dimensions.
@@ -16,19 +14,19 @@ pub(super) enum Ask {
     Case(Box<CaseColumns>),
 }
 
-/// What a row asks.
+/// Query of a row.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Asked {
-    Dimensionless(Question),
+pub(super) enum RowQuery {
+    Dimensionless(BulkQuery),
     Case(BulkRow),
 }
 
 impl Ask {
     /// What a row asks.
-    pub(super) fn of(&self, row: &ByteRecord) -> Result<Asked, NoCase> {
+    pub(super) fn of(&self, row: &ByteRecord) -> Result<RowQuery, NoCase> {
         match self {
-            Self::Dimensionless(columns) => columns.question(row).map(Asked::Dimensionless),
-            Self::Case(columns) => columns.row(row).map(Asked::Case),
+            Self::Dimensionless(columns) => columns.query(row).map(RowQuery::Dimensionless),
+            Self::Case(columns) => columns.row(row).map(RowQuery::Case),
         }
     }
 
@@ -50,11 +48,11 @@ impl Ask {
     }
 }
 
-impl Asked {
-    pub(super) fn question(&self) -> Question {
+impl RowQuery {
+    pub(super) fn query(&self) -> BulkQuery {
         match self {
-            Self::Dimensionless(question) => question.clone(),
-            Self::Case(row) => row.question(),
+            Self::Dimensionless(query) => query.clone(),
+            Self::Case(row) => row.query(),
         }
     }
 }
