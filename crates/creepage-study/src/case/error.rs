@@ -105,6 +105,19 @@ pub enum CaseError {
         /// Why.
         source: creepage::viscoelastic::ViscoelasticError,
     },
+    /// Points that are no rigid slip.
+    #[error("[contact] {points}: {why}")]
+    Slip {
+        /// The key, and the file if there is one.
+        points: String,
+        /// What is wrong with them.
+        why: String,
+    },
+    /// A slip from place to place in many rows at once.
+    #[error(
+        "[contact] slip is for one case at a time: leave it out for rows of many, or solve each file"
+    )]
+    SlipOfRows,
     /// Temperatures of many rows at once.
     #[error("[heat] is for one case at a time: leave it out for rows of many")]
     HeatOfRows,

@@ -15,6 +15,7 @@ pub(crate) mod radius;
 pub(crate) mod schema;
 pub(crate) mod sections;
 pub(crate) mod similar;
+pub(crate) mod slip;
 pub(crate) mod solve;
 mod statics;
 mod sweep;

@@ -58,7 +58,7 @@ impl GapRows {
         for (varied, value) in self.varied.iter().zip(values) {
             file.set(*varied, value);
         }
-        file.case_with(|section, pair| self.gap(section, pair))
+        file.case_with(&self.directory, |section, pair| self.gap(section, pair))
     }
 
     fn gap(&self, section: &GapSection, pair: SolidPair) -> Result<Gap, GapCaseError> {
