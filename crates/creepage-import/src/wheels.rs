@@ -72,8 +72,9 @@ impl ProfileFile {
             let options = lines.numbers(5, "ISMOOTH, ZIGTHRS, KNKHGH, KNKLOW, KNKWID")?;
             smoothing_kind = options[0];
             // Angles of zero are the usual ones, a width of zero is one.
-            let or_usual =
-                |place: usize| if options[place + 1] == 0.0 { USUAL_KINKS[place] } else { options[place + 1] };
+            let or_usual = |place: usize| {
+                if options[place + 1] == 0.0 { USUAL_KINKS[place] } else { options[place + 1] }
+            };
             let own = [or_usual(1), or_usual(2), options[4]];
             let differs = |(one, usual): (&f64, &f64)| (one - usual).abs() > 1e-9;
             corners = own.iter().zip(&USUAL_KINKS[1..]).any(differs).then_some(own);

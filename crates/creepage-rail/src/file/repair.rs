@@ -211,7 +211,8 @@ pub(super) fn corners(
 /// Whether the neighbours of a point within reach hardly turn.
 fn alone(points: &[Point], index: usize, search: CornerSearch) -> bool {
     let Some(point) = points.get(index) else { return false };
-    let near = |i: &usize| points.get(*i).is_some_and(|other| distance(point, other) < search.reach);
+    let near =
+        |i: &usize| points.get(*i).is_some_and(|other| distance(point, other) < search.reach);
     let before = (1..index).rev().take_while(near);
     let after = (index + 1..points.len()).take_while(near);
     before.chain(after).all(|i| turn_at(points, i).abs() < search.rest)

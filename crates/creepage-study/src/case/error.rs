@@ -119,7 +119,9 @@ pub enum CaseError {
     )]
     SlipOfRows,
     /// Temperatures of many rows at once.
-    #[error("[heat] is for one case at a time: leave it out for rows of many")]
+    #[error(
+        "[heat] is for one case at a time: leave it out for rows of many; rows of a case with [gap] have temperatures"
+    )]
     HeatOfRows,
     /// The creepage is wanted where it must be given.
     #[error(

@@ -215,8 +215,12 @@ impl GapFile {
     /// Its sections of which rows of many have no numbers.
     #[must_use]
     pub fn left_out_of_rows(&self) -> Vec<&'static str> {
-        let sections = [("damage", self.damage.is_some()), ("heat", self.heat.is_some())];
-        sections.into_iter().filter(|(_, given)| *given).map(|(name, _)| name).collect()
+        self.damage.iter().map(|_| "damage").collect()
+    }
+
+    /// Whether temperatures are wanted.
+    pub(super) fn has_heat(&self) -> bool {
+        self.heat.is_some()
     }
 
     /// Whether it has a rolling velocity.

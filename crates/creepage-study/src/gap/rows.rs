@@ -49,6 +49,12 @@ impl GapRows {
         self.varied.contains(&GapVaried::Speed) || self.file.has_speed()
     }
 
+    /// Whether rows have temperatures.
+    #[must_use]
+    pub fn has_heat(&self) -> bool {
+        self.file.has_heat()
+    }
+
     /// The case of a row.
     ///
     /// # Errors
