@@ -326,7 +326,7 @@ def imported(program: str, path: Path, root: Path, out: Path) -> list[Case]:
         name = Path(next(word for word in words if word.endswith(".toml"))).stem
         cases.append(Case(name, folder, words, out))
     for line in done.stderr.splitlines():
-        if match := re.match(r"(\S+) \(line \d+\) is not written, it has no counterpart: (.*)", line):
+        if match := re.match(r"(\S+) \(line \d+\) is not written: (.*)", line):
             cases.append(Case(match[1], folder, why=f"not written: {match[2]}"))
     for case in cases:
         case.stored = stored.get(int(case.name.rsplit("-", 1)[1]))

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from . import _creepage
 from ._bulk import CaseForce, case_force
-from ._contact import Body, Hertz, floats, number, sections
+from ._contact import Body, Hertz, columns, floats, number, sections
 from ._errors import AccuracyWarning, InvalidValue, UnitsWarning, UnlikeBodiesWarning
 from ._fit import COLUMNS, FrictionFit, fit
 from ._results import Codes, Floats, Status
@@ -77,6 +77,7 @@ class Case:
         layer: Mapping[str, float] | None = None,
         damage: Mapping[str, Any] | None = None,
         heat: Mapping[str, Any] | None = None,
+        slip: Mapping[str, ArrayLike] | None = None,
         theory: str = "exact",
         **options: Any,
     ) -> None:
@@ -90,7 +91,9 @@ class Case:
         layer: `thickness` (m), `shear_modulus` (Pa) and the other keys of `[layer]` in a case file.
         damage: `{}`, or constants as in `[damage]`, for `Solution.damage`. heat: `upper` and
         `lower`, each `{"material": "steel"}` or its numbers as in `[heat]`, for `Solution.heat`;
-        needs speed. theory and its options are those of `solve`.
+        needs speed. slip: rigid slip beside creepage and spin, by the points of a rectangular grid,
+        as lists `x`, `y` (m), `longitudinal`, `lateral` (over the rolling velocity); by exact alone.
+        theory and its options are those of `solve`.
         """
         numbers = {
             "normal_force": normal_force, "friction": friction, "longitudinal": longitudinal,
@@ -102,7 +105,7 @@ class Case:
         for name, value in numbers.items():
             if value is not None and not (name == "friction" and isinstance(value, Mapping)):
                 number(name, value)
-        contact = {
+        contact: dict[str, Any] = {
             "normal_force": normal_force,
             "friction": friction,
             "angle": angle,
@@ -126,6 +129,8 @@ class Case:
             "fy": fy,
             "mz": mz,
         }
+        if slip is not None:
+            contact["slip"] = columns(slip)
         file = sections(upper, lower, contact)
         moves = (name for name in (*creepage, *forces) if name != "speed")
         if all(numbers[name] is None for name in moves):
@@ -145,7 +150,8 @@ class Case:
 
     @classmethod
     def from_toml(cls, source: Source) -> Case:
-        """From a case file: a path, or a string with line breaks as the text itself.
+        """From a case file: a path, or a string with line breaks as the text itself. A file of slips
+        that it names stands in the working directory.
 
         Raises CaseError for what is no case, OSError for what cannot be read.
         """

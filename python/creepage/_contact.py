@@ -80,6 +80,17 @@ def floats(name: str, values: ArrayLike) -> Floats:
     return array.astype(np.float64)
 
 
+def columns(arrays: Mapping[str, ArrayLike]) -> dict[str, list[float]]:
+    """Lists of numbers, as a case file has them."""
+    lists = {}
+    for name, array in arrays.items():
+        values = floats(name, array)
+        if values.ndim != 1:
+            raise ValueError(f"{name} must be a list of numbers, not of shape {values.shape}")
+        lists[name] = values.tolist()
+    return lists
+
+
 def instance(name: str, value: object, kind: type) -> None:
     """Raises TypeError for what is of another kind."""
     if not isinstance(value, kind):

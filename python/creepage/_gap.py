@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _creepage
-from ._contact import Body, floats, instance, number
+from ._contact import Body, columns, floats, instance, number
 from ._report import FromFile, ReportedList
 from ._report_parts import AreaContact
 from ._solution import DimensionlessCreepage, SiCreepage, SiForce
@@ -49,10 +49,10 @@ class Gap:
         """h = gap(y) + (x - x(y))^2/(2 R): points across, and the radius along the rolling direction,
         a number or one a point. x: place of the least distance along x, zero if not given."""
         radius = floats("radius_rolling", radius_rolling)
-        columns = {"y": y, "gap": gap} | ({} if x is None else {"x": x})
+        points = {"y": y, "gap": gap} | ({} if x is None else {"x": x})
         if radius.ndim == 0:
-            return cls({"section": _columns(columns), "radius_rolling": float(radius)})
-        return cls({"section": _columns({**columns, "radius_rolling": radius})})
+            return cls({"section": columns(points), "radius_rolling": float(radius)})
+        return cls({"section": columns({**points, "radius_rolling": radius})})
 
     @classmethod
     def grid(cls, x: ArrayLike, y: ArrayLike, gap: ArrayLike) -> Gap:
@@ -61,8 +61,8 @@ class Gap:
         places = np.meshgrid(floats("x", x), floats("y", y), indexing="ij")
         if values.shape != places[0].shape:
             raise ValueError(f"gap has the shape {values.shape}, x and y ask for {places[0].shape}")
-        columns = {"x": places[0], "y": places[1], "gap": values}
-        return cls({"grid": _columns({name: array.ravel() for name, array in columns.items()})})
+        points = {"x": places[0], "y": places[1], "gap": values}
+        return cls({"grid": columns({name: array.ravel() for name, array in points.items()})})
 
     @classmethod
     def groove(cls, inner: float, outer: float, *, rolling: float) -> Gap:
@@ -95,17 +95,6 @@ def _term(term: Any) -> tuple[int, int, float]:
                 "that is not negative"
             )
     return int(i), int(j), float(coefficient)
-
-
-def _columns(arrays: Mapping[str, ArrayLike]) -> dict[str, list[float]]:
-    """Lists of numbers, as a case file has them."""
-    columns = {}
-    for name, array in arrays.items():
-        values = floats(name, array)
-        if values.ndim != 1:
-            raise ValueError(f"{name} must be a list of numbers, not of shape {values.shape}")
-        columns[name] = values.tolist()
-    return columns
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -231,6 +220,7 @@ class GapCase(FromFile):
         damage: Mapping[str, Any] | None = None,
         heat: Mapping[str, Any] | None = None,
         surface: str = "plane",
+        slip: Mapping[str, ArrayLike] | None = None,
         theory: str = "exact",
         **options: Any,
     ) -> None:
@@ -251,6 +241,8 @@ class GapCase(FromFile):
         }
         if surface != "plane":
             file["contact"] = {**file["contact"], "surface": surface}
+        if slip is not None:
+            file["contact"] = {**file["contact"], "slip": columns(slip)}
         file["creepage"] = {
             "longitudinal": longitudinal,
             "lateral": lateral,

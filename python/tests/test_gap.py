@@ -143,3 +143,34 @@ def test_what_is_no_case_is_refused() -> None:
         case(longitudinal=1e-3).solve("polach")
     with pytest.raises(creepage.NotReachable):
         case(longitudinal_force=0.0, lateral=0.0, moment=120.0).solve("fastsim")
+
+
+def test_a_slip_from_place_to_place() -> None:
+    """One that is the same everywhere is a creepage, on an ellipse, on any shape and in steps."""
+    gap = Gap.polynomial([(2, 0, 1.087), (0, 2, 1.667)])
+    uniform = {"x": [0.0], "y": [0.0], "longitudinal": [-1e-3], "lateral": [0.0]}
+    y = np.linspace(-8e-3, 8e-3, 9)
+    groove = {"x": np.zeros(9), "y": y, "longitudinal": -50 * y**2, "lateral": np.zeros(9)}
+    bodies = {"upper": MATERIAL, "lower": MATERIAL}
+    common: dict[str, Any] = {**bodies, "normal_force": 80e3, "friction": 0.3, "resolution": "fast"}
+    axes: dict[str, Any] = {"semi_axis_rolling": 6e-3, "semi_axis_lateral": 4e-3}
+    kinds: list[tuple[Any, dict[str, Any]]] = [(creepage.Case, axes), (GapCase, {"gap": gap})]
+    for kind, shape in kinds:
+        whole = kind(longitudinal=-1.5e-3, **shape, **common).solve().force.longitudinal
+        split = kind(longitudinal=-0.5e-3, slip=uniform, **shape, **common).solve().force.longitudinal
+        assert split == pytest.approx(whole, abs=0.01)  # solved to some 1e-7 of mu N, 24 kN
+        curved = kind(longitudinal=-0.5e-3, slip=groove, **shape, **common).solve().force.longitudinal
+        assert abs(curved - whole) > 240
+    case = creepage.Case(longitudinal=0.0, slip=uniform, **axes, **common)
+    rolled = creepage.Rolling(case).step(0.05, longitudinal=-0.5e-3).force.longitudinal
+    plain = creepage.Case(longitudinal=-1.5e-3, **axes, **common)
+    assert rolled == pytest.approx(plain.solve().force.longitudinal, abs=240)
+    with pytest.raises(creepage.CaseError, match="no point at"):
+        creepage.Case(
+            longitudinal=0.0,
+            slip={"x": [0.0, 1e-3], "y": [0.0, 1e-3], "longitudinal": [0, 0], "lateral": [0, 0]},
+            **axes,
+            **common,
+        )
+    with pytest.raises(ValueError, match="shape"):
+        GapCase(gap=gap, longitudinal=0.0, slip={"x": [[0.0]]}, **common)

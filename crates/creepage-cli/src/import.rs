@@ -59,10 +59,9 @@ fn tell(imported: &Imported) {
                     say(&format!("{}: {note}", case.name));
                 }
             }
-            Err(cause) => say(&format!(
-                "{} (line {}) is not written, it has no counterpart: {cause}",
-                case.name, case.line
-            )),
+            Err(cause) => {
+                say(&format!("{} (line {}) is not written: {cause}", case.name, case.line))
+            }
         }
     }
     let written = imported.cases.iter().filter(|case| case.written.is_ok()).count();

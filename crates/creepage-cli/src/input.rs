@@ -40,7 +40,8 @@ pub(crate) fn sources_of(path: &Path) -> Sources {
     let Ok(text) = fs::read_to_string(path) else { return own };
     match AnyCaseFile::read(&text) {
         Ok(AnyCaseFile::Gap(file)) => own.with(&file.sources(directory(path))),
-        _ => own,
+        Ok(AnyCaseFile::Ellipse(file)) => own.with(&file.sources(directory(path))),
+        Err(_) => own,
     }
 }
 

@@ -226,6 +226,7 @@ impl ProfileArgs {
             field_side: self.y.map(|sense| sense == LateralSense::FieldSide),
             down: self.z.map(|sense| sense == UprightSense::Down),
             smoothing: self.smooth.map(Smoothing::Wavelength),
+            corners: None,
         }
     }
 }

@@ -70,7 +70,8 @@ pub unsafe extern "C" fn creepage_case_solve(
 fn solve_file(path: &Path, theory: Option<&str>) -> Result<SolvedCase, Failure> {
     let text =
         fs::read_to_string(path).map_err(|source| Failure::Read { path: path.into(), source })?;
-    let case = CaseFile::read(&text).and_then(|file| file.case());
+    let directory = path.parent().unwrap_or(Path::new(""));
+    let case = CaseFile::read(&text).and_then(|file| file.case_in(directory));
     let case = case.map_err(|source| Failure::CaseFile { path: path.into(), source })?;
     let theory = theory.map(|name| case.theory_named(name)).transpose()?;
     solve(&case, theory.as_ref()).map_err(|source| Failure::Solve { path: path.into(), source })

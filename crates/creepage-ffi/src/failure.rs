@@ -13,7 +13,7 @@ use creepage::{HertzError, InvalidValue};
 use creepage_map::MapError;
 use creepage_study::{
     BearingCaseError, CaseError, GapCaseError, HistoryError, RowError, SolveError, SpecError,
-    StaticsError, StressError, Varied, WheelsetFileError,
+    StaticsError, StressError, Varied, WheelTableError, WheelsetFileError,
 };
 
 /// Done.
@@ -89,6 +89,12 @@ pub(crate) enum Failure {
     Build { theory: &'static str, source: BuildError<TheoryError> },
     #[error(transparent)]
     Wheelset(Box<WheelsetFileError>),
+    #[error("row {row}: {source}")]
+    Row { row: usize, source: Box<WheelsetFileError> },
+    #[error(transparent)]
+    WheelTable(#[from] WheelTableError),
+    #[error("start = {0} is not valid: it must be 0, 1 or -1")]
+    Start(i32),
     #[error(transparent)]
     Gap(Box<GapCaseError>),
     #[error(transparent)]
@@ -121,7 +127,12 @@ impl Failure {
     fn code(&self) -> i32 {
         match self {
             Self::Null(_) => CREEPAGE_NULL,
-            Self::Text(_)
+            Self::WheelTable(
+                WheelTableError::Column { .. }
+                | WheelTableError::Twice { .. }
+                | WheelTableError::NoDistance,
+            )
+            | Self::Text(_)
             | Self::Quantity { .. }
             | Self::Key { .. }
             | Self::LineTheory { .. }
@@ -162,6 +173,9 @@ impl Failure {
             | Self::Bulk(_)
             | Self::Build { .. }
             | Self::Wheelset(_)
+            | Self::Row { .. }
+            | Self::WheelTable(_)
+            | Self::Start(_)
             | Self::Gap(_)
             | Self::Bearing(_)
             | Self::Theory(_)

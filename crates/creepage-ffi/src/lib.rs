@@ -17,6 +17,7 @@ mod rolling;
 mod status;
 mod table;
 mod theory;
+mod wheel_steps;
 mod wheelset;
 
 use std::ffi::c_char;
@@ -54,6 +55,7 @@ pub use table::{
 pub use theory::{
     CreepageTheory, creepage_theory_force, creepage_theory_free, creepage_theory_new,
 };
+pub use wheel_steps::creepage_wheelset_roll;
 pub use wheelset::{
     CreepageWheelset, CreepageWheelsetState, creepage_wheelset_free, creepage_wheelset_new,
     creepage_wheelset_solve, creepage_wheelset_solve_many, creepage_wheelset_state_free,

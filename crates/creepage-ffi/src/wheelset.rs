@@ -17,7 +17,7 @@ use crate::status::{CREEPAGE_DOUBTFUL, CREEPAGE_NOT_CONVERGED, CREEPAGE_SOLVED};
 // Never inside out: only pointers to it leave the library.
 #[allow(missing_debug_implementations)]
 pub struct CreepageWheelset {
-    case: WheelsetCase,
+    pub(crate) case: WheelsetCase,
 }
 
 /// A position of a wheelset, solved: from where a call may start.

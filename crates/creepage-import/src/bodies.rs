@@ -18,8 +18,10 @@ pub(crate) struct Bodies {
     pub(crate) grid: Option<Grid>,
     pub(crate) shape: Option<Shape>,
     pub(crate) planform: usize,
-    /// Whether slip other than zero is added element by element.
-    pub(crate) has_added_slip: bool,
+    /// Rigid slip that is added element by element, along and across, where it is not zero everywhere.
+    pub(crate) added_slip: Option<Vec<[f64; 2]>>,
+    /// Where the middle of the shape stood before it was put at the origin (mm).
+    pub(crate) middle: [f64; 2],
 }
 
 /// The elements, or the semi-axes or curvatures of an ellipse.
@@ -85,11 +87,12 @@ impl Bodies {
             case.friction = Some(FrictionRead::by_row(lines, control.law(), rows)?);
         }
         match control.last_of_second() {
-            0 => case.has_added_slip = false,
+            0 => case.added_slip = None,
             9 => {
                 let count = 2 * grid.elements[0] * grid.elements[1];
                 let slips = lines.numbers(count, "slip at each element")?;
-                case.has_added_slip = slips.iter().any(|slip| *slip != 0.0);
+                let is_any = slips.iter().any(|slip| *slip != 0.0);
+                case.added_slip = is_any.then(|| slips.as_chunks().0.to_vec());
             }
             _ => {}
         }

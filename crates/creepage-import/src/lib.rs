@@ -70,6 +70,46 @@ pub enum ImportError {
     Empty,
 }
 
+/// Why a case is not written.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NotWritten {
+    /// No case file of creepage says it.
+    #[error("it has no counterpart: {0}")]
+    NoCounterpart(String),
+    /// A file that it names is not there.
+    #[error("file {file} was not found beside {beside}")]
+    NotFound {
+        /// The file, as the input names it.
+        file: String,
+        /// The file that names it.
+        beside: String,
+    },
+    /// A list of slices that cannot be read.
+    #[error("file {file} cannot be read: {why}")]
+    Unread {
+        /// The file, as the input names it.
+        file: String,
+        /// Why.
+        why: String,
+    },
+    /// The input itself says so.
+    #[error("that program skips it too (R = 2, 3)")]
+    Skipped,
+}
+
+impl From<String> for NotWritten {
+    fn from(cause: String) -> Self {
+        Self::NoCounterpart(cause)
+    }
+}
+
+impl From<&str> for NotWritten {
+    fn from(cause: &str) -> Self {
+        Self::NoCounterpart(cause.into())
+    }
+}
+
 /// Output file: its name and contents.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct File {
@@ -107,8 +147,8 @@ pub struct Case {
     pub name: String,
     /// The line at which it begins.
     pub line: usize,
-    /// The case, or why it cannot be said by creepage.
-    pub written: Result<Written, String>,
+    /// The case, or why there is none.
+    pub written: Result<Written, NotWritten>,
     /// What of it has no counterpart, and why.
     pub notes: Vec<String>,
 }
@@ -218,13 +258,10 @@ impl Reader {
                 self.chain.clear();
             }
             self.chain.push(self.bodies.clone());
-            (control, bodies_case::write(&self.chain, &name, &title, &mut notes))
+            let written = bodies_case::write(&self.chain, &name, &title, &mut notes);
+            (control, written.map_err(NotWritten::from))
         };
-        let written = if control.is_skipped() {
-            Err("that program skips it too (R = 2, 3)".into())
-        } else {
-            written
-        };
+        let written = if control.is_skipped() { Err(NotWritten::Skipped) } else { written };
         self.cases.push(Case { name, line, written, notes });
         Ok(control)
     }

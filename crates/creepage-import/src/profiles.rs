@@ -8,11 +8,13 @@ use creepage_rail::{Profile, Role};
 
 use crate::text::{comments, list as list_of, number, quoted};
 use crate::wheels::ProfileFile;
-use crate::{File, ImportError};
+use crate::{File, ImportError, NotWritten};
 
 /// Where profiles are looked for, and those that were found.
 #[derive(Debug)]
 pub(crate) struct Profiles {
+    /// The input file's name.
+    input: String,
     /// The directory of the input file.
     from: PathBuf,
     /// The directory of the case files.
@@ -36,30 +38,30 @@ pub(crate) struct SlicesRead {
 impl Profiles {
     pub(crate) fn new(input: &Path, to: &Path) -> Self {
         let from = input.parent().unwrap_or(Path::new("")).to_path_buf();
-        Self { from, to: to.to_path_buf(), copied: Vec::new(), lists: Vec::new() }
+        let input = input.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        Self { input, from, to: to.to_path_buf(), copied: Vec::new(), lists: Vec::new() }
     }
 
     /// The name of a profile as a case file has it.
-    pub(crate) fn name(&mut self, given: &str) -> Result<String, String> {
-        let missing = || format!("there is no profile {given} beside the input file");
-        let path = find(&self.from, given).ok_or_else(missing)?;
+    pub(crate) fn name(&mut self, given: &str) -> Result<String, NotWritten> {
+        let path = find(&self.from, given).ok_or_else(|| not_found(given, &self.input))?;
         Ok(self.name_of(path))
     }
 
     /// A list of slices as a file of ours, whose profiles lie beside the case files.
-    pub(crate) fn slices(&mut self, given: &str, role: Role) -> Result<SlicesRead, String> {
-        let missing = || format!("there is no list of slices {given} beside the input file");
-        let path = find(&self.from, given).ok_or_else(missing)?;
+    pub(crate) fn slices(&mut self, given: &str, role: Role) -> Result<SlicesRead, NotWritten> {
+        let unread = |why: String| NotWritten::Unread { file: given.into(), why };
+        let path = find(&self.from, given).ok_or_else(|| not_found(given, &self.input))?;
         if let Some((_, known)) = self.lists.iter().find(|(known, _)| *known == path) {
             return Ok(known.clone());
         }
-        let text = fs::read(&path).map_err(|error| format!("{given}: {error}"))?;
+        let text = fs::read(&path).map_err(|error| unread(error.to_string()))?;
         let list = SliceList::read(&String::from_utf8_lossy(&text), role);
-        let list = list.map_err(|error| format!("{given}: {error}"))?;
+        let list = list.map_err(|error| unread(error.to_string()))?;
         let beside = path.parent().unwrap_or(Path::new("")).to_path_buf();
         let mut lines = Vec::new();
         for (u, profile, features) in &list.slices {
-            let missing = || format!("there is no profile {profile} beside {given}");
+            let missing = || not_found(profile, given);
             let profile = self.name_of(find(&beside, profile).ok_or_else(missing)?);
             let features = if features.is_empty() {
                 String::new()
@@ -156,6 +158,10 @@ impl Profiles {
         let lists = self.lists.iter().map(|(path, _)| path.clone());
         self.copied.iter().map(|(path, _)| path.clone()).chain(lists).collect()
     }
+}
+
+fn not_found(file: &str, beside: &str) -> NotWritten {
+    NotWritten::NotFound { file: file.into(), beside: beside.into() }
 }
 
 /// The file of that name, whatever the case of its letters and its separators.

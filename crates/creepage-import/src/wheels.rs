@@ -43,8 +43,10 @@ pub(crate) struct ProfileFile {
     pub(crate) smoothing: f64,
     /// Whether that is the weight of a cubic smoothing spline (ISMOOTH = 0), in mm3.
     pub(crate) is_plain_spline: bool,
-    /// Whether zig-zags and kinks are found by other numbers than here.
-    pub(crate) has_kinks: bool,
+    /// KNKHGH, KNKLOW (rad) and KNKWID (mm), where they differ from what is usual here.
+    pub(crate) corners: Option<[f64; 3]>,
+    /// Whether zig-zags are found by another number than here.
+    pub(crate) has_zig_zags: bool,
     /// 1 where z is mirrored, -1 where it is not, 0 where its shape says.
     pub(crate) mirror_z: i32,
 }
@@ -65,13 +67,18 @@ impl ProfileFile {
             return Err(error);
         };
         let at = |place: usize| numbers.get(place).copied().unwrap_or(0.0);
-        let (mut smoothing_kind, mut has_kinks) = (0.0, false);
+        let (mut smoothing_kind, mut corners, mut has_zig_zags) = (0.0, None, false);
         if at(4) >= 1.0 {
             let options = lines.numbers(5, "ISMOOTH, ZIGTHRS, KNKHGH, KNKLOW, KNKWID")?;
             smoothing_kind = options[0];
-            let own =
-                |(option, usual): (&f64, &f64)| *option != 0.0 && (option - usual).abs() > 1e-9;
-            has_kinks = options[1..].iter().zip(&USUAL_KINKS).any(own) || options[4] == 0.0;
+            // Angles of zero are the usual ones, a width of zero is one.
+            let or_usual = |place: usize| {
+                if options[place + 1] == 0.0 { USUAL_KINKS[place] } else { options[place + 1] }
+            };
+            let own = [or_usual(1), or_usual(2), options[4]];
+            let differs = |(one, usual): (&f64, &f64)| (one - usual).abs() > 1e-9;
+            corners = own.iter().zip(&USUAL_KINKS[1..]).any(differs).then_some(own);
+            has_zig_zags = differs((&or_usual(0), &USUAL_KINKS[0]));
         }
         let is_plain_spline = smoothing_kind == 0.0;
         Ok(Self {
@@ -80,7 +87,8 @@ impl ProfileFile {
             scale,
             smoothing,
             is_plain_spline,
-            has_kinks,
+            corners,
+            has_zig_zags,
             mirror_z: at(3) as i32,
         })
     }

@@ -7,13 +7,13 @@ use crate::text::{comments, heat_section, list, number, quoted, section};
 use crate::wheels::{ProfileFile, Wheels};
 use creepage_rail::Role;
 
-use crate::{File, Written, wheels_steps};
+use crate::{File, NotWritten, Written, wheels_steps};
 
 /// Friction in place of none, which wheelset files do not take.
 const FRICTIONLESS: f64 = 1e-6;
 
 type Keys = Vec<(&'static str, String)>;
-type Cause = String;
+type Cause = NotWritten;
 
 /// A profile or slices, as they lie beside the case file.
 struct Named<'a> {
@@ -98,7 +98,7 @@ fn check(case: &Wheels) -> Result<(), Cause> {
     let control = case.control;
     match control.config() {
         0 | 1 | 4 | 5 => {}
-        other => return Err(format!("C = {other} is no wheel on a rail that we know")),
+        other => return Err(format!("C = {other} is no wheel on a rail that we know").into()),
     }
     if control.bound() == 1 {
         return Err("a compressible sheet (B = 1)".into());
@@ -292,10 +292,17 @@ fn profile(
             number(file.smoothing)
         ));
     }
-    if file.has_kinks {
+    if let Some([turn, rest, reach]) = file.corners {
+        reading.push(format!(
+            "corners = {{ turn = {}, rest = {}, reach = {} }}",
+            number(turn),
+            number(rest),
+            number(reach * 1e-3)
+        ));
+    }
+    if file.has_zig_zags {
         notes.push(format!(
-            "ZIGTHRS, KNKHGH, KNKLOW, KNKWID of the {role}'s profile have no counterpart: corners are found here by \
-             150, 30, 6 degrees and 2 mm"
+            "ZIGTHRS of the {role}'s profile has no counterpart: zig-zags are found here by 150 degrees"
         ));
     }
     let mut keys = vec![(*key, quoted(name))];

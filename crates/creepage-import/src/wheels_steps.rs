@@ -2,11 +2,12 @@
 
 use std::fmt::Write as _;
 
+use crate::NotWritten;
 use crate::text::number;
 use crate::wheels::Wheels;
 use crate::wheels_case::friction;
 
-type Cause = String;
+type Cause = NotWritten;
 
 /// Where a wheel begins, and a row a case.
 pub(crate) struct Table {
@@ -97,7 +98,7 @@ pub(crate) fn table(chain: &[Wheels], notes: &mut Vec<String>) -> Result<Table, 
 
 /// A history has one wheel on one rail.
 fn alike(first: &Wheels, case: &Wheels) -> Result<(), Cause> {
-    let differs = |what: &str| Err(format!("a history in which {what} change"));
+    let differs = |what: &str| Err(format!("a history in which {what} change").into());
     if (&first.rail, &first.wheel) != (&case.rail, &case.wheel) {
         return differs("profiles");
     }

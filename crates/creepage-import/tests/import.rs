@@ -134,7 +134,7 @@ fn shifts_by_ways_and_after_each_other_are_a_path() {
     // Another axis.
     let file = one("201120", "1000. .0 -.5 .0") + &one("001120", "1000. .25 .0 .0");
     let imported = read(&file).unwrap();
-    let found = imported.cases[1].written.as_ref().unwrap_err();
+    let found = imported.cases[1].written.as_ref().unwrap_err().to_string();
     assert!(found.contains("its axis"), "{found}");
 }
 
@@ -160,7 +160,7 @@ fn rolling_by_forces_goes_on_by_creepages() {
     // Another shape is one.
     let other = second.replace(".002963 1.", ".0031 1.");
     let imported = read(&(first + &other)).unwrap();
-    let cause = imported.cases[1].written.as_ref().unwrap_err();
+    let cause = imported.cases[1].written.as_ref().unwrap_err().to_string();
     assert!(cause.contains("the shape changes"), "{cause}");
 }
 
@@ -181,7 +181,7 @@ fn a_case_without_a_counterpart_is_named_and_the_others_are_written() {
     let file = ball("201100", "1000. .002 .0 .1", "").replace(" \n", "")
         + &ball("203100", "1000. .002 .001 .0002", "0.0 0.2 2000. CHI");
     let imported = read(&file).unwrap();
-    let cause = imported.cases[0].written.as_ref().unwrap_err();
+    let cause = imported.cases[0].written.as_ref().unwrap_err().to_string();
     assert!(cause.contains("with a twist"), "{cause}");
     assert!(imported.cases[1].written.is_ok());
 }
@@ -243,9 +243,10 @@ fn a_missing_profile_and_slices_are_causes() {
     let cause = |change: [&str; 2]| {
         let place = tempfile::tempdir().unwrap();
         let imported = read_wheel(&WHEEL.replace(change[0], change[1]), place.path());
-        imported.cases[0].written.clone().unwrap_err()
+        imported.cases[0].written.clone().unwrap_err().to_string()
     };
-    assert!(cause(["wheel.PRW", "none.prw"]).contains("no profile none.prw"));
+    let missing = cause(["wheel.PRW", "none.prw"]);
+    assert_eq!(missing, "file none.prw was not found beside own.inp");
     assert!(cause(["wheel.PRW", "wheel.slcw"]).contains("slices"));
 }
 
@@ -361,7 +362,7 @@ fn a_shape_that_moves_from_shift_to_shift_rolls() {
         (next(0.25).replace("0.3 0.3", "0.2 0.2"), "friction or the bodies change"),
     ] {
         let imported = read(&(start.clone() + &further)).unwrap();
-        let found = imported.cases.last().unwrap().written.as_ref().unwrap_err();
+        let found = imported.cases.last().unwrap().written.as_ref().unwrap_err().to_string();
         assert!(found.contains(cause), "{found}");
     }
 }
@@ -378,7 +379,7 @@ fn rolling_sets_out_from_the_last_shift() {
     has(&text(rolls, 0), &["normal_force = 1000.0", "longitudinal_force = 150.0"]);
     assert_eq!(text(rolls, 1), "distance,normal_force,longitudinal_force\n0.0001,900.0,135.0\n");
     let back = first + &ball_at(0.0, "001110", "1000. .1 .0 .0") + &step;
-    let found = read(&back).unwrap().cases[2].written.clone().unwrap_err();
+    let found = read(&back).unwrap().cases[2].written.clone().unwrap_err().to_string();
     assert!(found.contains("a load path before"), "{found}");
 }
 
@@ -394,7 +395,7 @@ fn flexibilities_that_fall_with_creepage_are_a_reduction() {
     has(&text(&imported.cases[0], 0), &keys);
     let clean = read(&simplified("233100", "1. 1. 3.")).unwrap();
     assert!(!text(&clean.cases[0], 0).contains("reduction"));
-    let found = written(&simplified("233110", ".54 .02 .62")).unwrap_err();
+    let found = written(&simplified("233110", ".54 .02 .62")).unwrap_err().to_string();
     assert!(found.contains("to a wanted force"), "{found}");
 }
 
@@ -412,10 +413,10 @@ fn unlike_balls_pressed_together_are_a_compression() {
     let keys = ["problem = \"compression\"", "normal_force = 2.0", "friction = 0.3"];
     has(&text(case, 0), &keys);
     let back = file + &unlike("001100", "1.5 .0 .0 .0");
-    let found = read(&back).unwrap().cases[2].written.clone().unwrap_err();
+    let found = read(&back).unwrap().cases[2].written.clone().unwrap_err().to_string();
     assert!(found.contains("a load that grows"), "{found}");
     let long = unlike("201100", "1. .0 .0 .0").replace(".005 .0 .005", ".005 .0 .004");
-    let found = read(&long).unwrap().cases[0].written.clone().unwrap_err();
+    let found = read(&long).unwrap().cases[0].written.clone().unwrap_err().to_string();
     assert!(found.contains("other than balls"), "{found}");
 }
 
@@ -466,7 +467,7 @@ fn a_single_element_is_sheared_to_and_fro() {
         ),
     ] {
         let imported = read(&with_layer(first, kinematics, rolling, grid)).unwrap();
-        let refused = imported.cases[0].written.as_ref().unwrap_err();
+        let refused = imported.cases[0].written.as_ref().unwrap_err().to_string();
         assert!(refused.contains(cause), "{refused}");
     }
 }
@@ -555,7 +556,7 @@ fn steps_of_a_wheel_are_a_table() {
 
     let stands = WHEEL.replace("0203100", "0201100").replace("2000. 1. 0.", "0. 1. 0.");
     let imported = read_wheel(&stands, place.path());
-    assert!(imported.cases[0].written.as_ref().unwrap_err().contains("SHFT_S"));
+    assert!(imported.cases[0].written.as_ref().unwrap_err().to_string().contains("SHFT_S"));
 }
 
 /// A wheel that is narrower than a groove runs in it.
@@ -577,15 +578,67 @@ fn a_disc_in_a_groove_has_no_guard_rail() {
     assert!(!wheel.contains("guard"), "{wheel}");
 }
 
-/// Slip that is added element by element has no counterpart, unless it is zero everywhere.
+/// Slip that is added element by element stands at the middles of the elements, but where it is zero everywhere; rolling
+/// in -x turns places and slips.
 #[test]
-fn added_slip_of_zero_is_none() {
-    let with = |slip: &str| {
-        let case = ball("203110", "1000. 0.5 .001 .0002", "0.0 0.2 2000. CHI");
+fn added_slip_is_a_slip_from_place_to_place() {
+    let with = |digits: &str, kinematics: &str, rolling: &str, slip: &str| {
+        let case = ball(digits, kinematics, rolling);
         let case = case.replace("022020 LDCMZE", "022029 LDCMZE");
-        case + &format!("{slip} .0\n").repeat(81) + " 0 MODULE\n"
+        let zeros = ".0 .0\n".repeat(80);
+        case + &format!("{slip}\n{zeros} 0 MODULE\n")
     };
-    let written = |slip: &str| read(&with(slip)).unwrap().cases[0].written.clone();
-    assert!(written(".0").is_ok());
-    assert!(written("1e-5").unwrap_err().contains("element by element"));
+    let steady =
+        |slip: &str, rolling: &str| with("203100", "1000. .0005 .001 .0002", rolling, slip);
+    let written = |file: &str| read(file).unwrap().cases[0].written.clone();
+    let ahead = "0.0 0.2 2000. CHI";
+    let none = read(&steady(".0 .0", ahead)).unwrap();
+    assert!(!text(&none.cases[0], 0).contains("slip"));
+    let columns = |file: &str| -> Vec<Vec<f64>> {
+        let case = text(&read(file).unwrap().cases[0], 0);
+        let slip = case.lines().find_map(|line| line.strip_prefix("slip = { ")).unwrap().to_owned();
+        let lists = slip.trim_end_matches(" }").split("], ");
+        let numbers = |list: &str| {
+            let list = list.split('[').nth(1).unwrap().trim_end_matches(']');
+            list.split(", ").map(|number| number.parse().unwrap()).collect()
+        };
+        lists.map(numbers).collect()
+    };
+    let [x, y, along, across]: [Vec<f64>; 4] =
+        columns(&steady("1e-5 -2e-5", ahead)).try_into().unwrap();
+    assert_eq!([x.len(), y.len(), along.len(), across.len()], [81; 4]);
+    assert_eq!((along[0], across[0], along[1], across[80]), (1e-5, -2e-5, 0.0, 0.0));
+    // The first element is the one in the corner of least x and y; x changes first.
+    let least = |all: &[f64]| all.iter().copied().fold(f64::INFINITY, f64::min);
+    assert_eq!((x[0], y[0]), (least(&x), least(&y)));
+    assert!(x[1] > x[0] && (y[1] - y[0]).abs() < 1e-15 && y[9] > y[0]);
+    let turned = columns(&steady("1e-5 -2e-5", "180d 0.2 2000. CHI"));
+    assert_eq!((turned[0][0], turned[1][0], turned[2][0]), (-x[0], -y[0], -1e-5));
+    let shifted = with("201110", "1000. .1 .0 .0", "", "1e-5 .0").replace("\n \n", "\n");
+    let refused = written(&shifted).unwrap_err().to_string();
+    assert!(refused.contains("from element to element"), "{refused}");
+}
+
+/// Corners are searched for as the file says, where it says other than usual.
+#[test]
+fn other_corners_are_searched_for() {
+    let place = tempfile::tempdir().unwrap();
+    let usual = text(&read_wheel(WHEEL, place.path()).cases[0], 0);
+    assert!(!usual.contains("corners"), "{usual}");
+    let other = WHEEL.replace("0 150d 30d 6d 2. kinks", "0 150d .5 0. 0. kinks");
+    let place = tempfile::tempdir().unwrap();
+    let imported = read_wheel(&other, place.path());
+    let written = text(&imported.cases[0], 0);
+    let corners = "corners = { turn = 0.5, rest = 0.10471975512, reach = 0.0 }";
+    assert!(written.contains(corners), "{written}");
+    assert!(!imported.cases[0].notes.iter().any(|note| note.contains("ZIGTHRS")));
+}
+
+/// Without friction there is nothing to roll with.
+#[test]
+fn no_friction_is_told_at_once() {
+    let case = ball("203100", "1000. .002 .001 .0002", "0.0 0.2 2000. CHI");
+    let imported = read(&case.replace(" 0.3 0.3", " 0.0 0.0")).unwrap();
+    let cause = imported.cases[0].written.as_ref().unwrap_err().to_string();
+    assert!(cause.contains("coefficient of friction of 0.0"), "{cause}");
 }

@@ -283,7 +283,7 @@ pub(crate) fn history(py: Python, error: HistoryError) -> PyErr {
         HistoryError::Gap(_) | HistoryError::NotOfAnArea { .. } => {
             exception(py, "CaseError", (message, Some("gap")))
         }
-        HistoryError::Section { section } | HistoryError::Steady { section } => {
+        HistoryError::Section { section } | HistoryError::Steady { section, .. } => {
             exception(py, "CaseError", (message, Some(section)))
         }
         HistoryError::NoMemory => {

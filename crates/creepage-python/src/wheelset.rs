@@ -5,9 +5,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use creepage::InvalidValue;
 use creepage_study::{
-    ANSWERS, ASKED, CaseError, Sources, StepsStart, TableAxis, WHEEL_STEP_COLUMNS, WheelStepsRun,
-    WheelTable, WheelsetCase, WheelsetFile, WheelsetFileError, WheelsetReport, WheelsetTable,
-    theory_spec, wheelset_caution_words,
+    ANSWERS, ASKED, CaseError, Sources, StepsStart, TableAxis, WHEEL_STEP_COLUMNS,
+    WHEEL_STEP_NUMBERS, WheelStepsRun, WheelTable, WheelsetCase, WheelsetFile, WheelsetFileError,
+    WheelsetReport, WheelsetTable, theory_spec, wheelset_caution_words,
 };
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -192,29 +192,25 @@ impl WheelsetData {
         let case = WheelsetCase { start, ..self.case.clone() };
         let wrong = |error| errors::wheelset(py, error);
         let mut run = WheelStepsRun::new(&case, &table).map_err(wrong)?;
-        let mut records: Vec<Vec<String>> = Vec::new();
+        let mut rows: Vec<[f64; WHEEL_STEP_NUMBERS]> = Vec::new();
+        let mut statuses: Vec<&str> = Vec::new();
         loop {
             py.check_signals()?;
-            let row = records.len() + 1;
+            let row = rows.len() + 1;
             let next = py.detach(|| run.next_row());
             let of_row = |error: WheelsetFileError| {
                 errors::in_section(py, format!("row {row}: {error}"), "wheelset")
             };
             let Some((distance, stepped)) = next.map_err(of_row)? else { break };
-            records.push(WheelStepsRun::record(distance, &stepped));
+            rows.push(WheelStepsRun::numbers(distance, &stepped));
+            statuses.push(stepped.solved.status().name());
         }
         let found = PyDict::new(py);
-        for (place, name) in WHEEL_STEP_COLUMNS.into_iter().enumerate() {
-            let cells = records.iter().map(|record| &record[place]);
-            if name == "status" {
-                found.set_item(name, cells.cloned().collect::<Vec<String>>())?;
-            } else {
-                // Of a side that is not solved they are empty.
-                let number = |cell: &String| cell.parse().unwrap_or(f64::NAN);
-                let numbers: Vec<f64> = cells.map(number).collect();
-                found.set_item(name, PyArray1::from_vec(py, numbers))?;
-            }
+        for (place, name) in WHEEL_STEP_COLUMNS.into_iter().take(WHEEL_STEP_NUMBERS).enumerate() {
+            let numbers = rows.iter().map(|row| row[place]).collect();
+            found.set_item(name, PyArray1::from_vec(py, numbers))?;
         }
+        found.set_item("status", statuses)?;
         Ok((found, run.cautions()))
     }
 

@@ -47,6 +47,7 @@ mod vampire;
 mod writing;
 
 pub use error::{FileError, SaidBy};
+pub use repair::CornerSearch;
 pub use report::Action;
 pub use slice_list::{SliceList, SliceListError};
 pub use writing::write;
@@ -90,6 +91,8 @@ pub struct ReadOptions {
     pub down: Option<bool>,
     /// How strongly its points are smoothed.
     pub smoothing: Option<Smoothing>,
+    /// How corners are told from roughness.
+    pub corners: Option<CornerSearch>,
 }
 
 /// A profile read from a file.
@@ -144,7 +147,7 @@ fn finish(
     let turned = orientation::turned(raw, ending, wanted, &mut actions)?;
     let Turned { points, role, unit } = turned;
     let points = repair::repaired(points, &mut actions)?;
-    let corners = repair::corners(&points, &mut actions);
+    let corners = repair::corners(&points, wanted.corners.unwrap_or_default(), &mut actions);
     let line = points.first().map_or(0, |point| point.line);
     // What was dropped may have been most of it.
     orientation::check_length(orientation::length(&points), unit, line)?;

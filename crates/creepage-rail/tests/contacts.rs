@@ -95,6 +95,57 @@ fn cone_on_a_crown() {
     assert!((yawed.place[0] - yawed.y_wheel * 0.001f64.sin() - locus).abs() < 1e-8);
 }
 
+/// A side of 60 degrees with a round flange on it, both with their origins in the middle of the track; with a dent above
+/// the contact whose wall overhangs, or without.
+fn side(dented: bool) -> WheelsetOnTrack {
+    let (foot, dent, head) = (
+        [[-30.0, 24.0]],
+        [[-24.0, 13.607_695], [-22.0, 14.2], [-22.9, 11.702_406]],
+        [[-20.0, 6.679_492], [0.0, 0.0], [30.0, 5.0]],
+    );
+    let dent = dent.iter().filter(|_| dented);
+    let points: Vec<[f64; 2]> =
+        foot.iter().chain(dent).chain(&head).map(|point| point.map(|at| at * MM)).collect();
+    let corners: Vec<usize> = (1..points.len() - 1).collect();
+    let rail = Profile::through(Role::Rail, &points, &corners).unwrap();
+    // Of radius 20 mm, touching the side at y = -27 mm.
+    let (sin, cos) = (60f64.to_radians().sin(), 60f64.to_radians().cos());
+    let centre = [-27.0 - 20.0 * sin, 18.803_848 - 20.0 * cos].map(|at| at * MM);
+    let at = |degrees: f64| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        [centre[0] + 0.02 * cos, centre[1] + 0.02 * sin]
+    };
+    let flange = Arc::between(centre, 0.02, at(10.0), at(70.0));
+    let wheel = Profile::new(Role::Wheel, Curve::new([flange]).unwrap()).unwrap();
+    let wheel = creepage_rail::Wheel::new(&wheel, 0.46).unwrap().with_flange_back(0.0).unwrap();
+    let track = Track::new(&rail, 0.0, Place::Origin(0.0)).unwrap();
+    Wheelset::new(wheel.clone(), wheel, 0.0).unwrap().on(track)
+}
+
+/// Below the wall of a dent a rail is seen again from above: the contact there is that of the sound rail.
+#[test]
+fn a_dent_above_a_contact_does_not_hide_it() {
+    let (sound, dented) = (side(false), side(true));
+    let position = Position { z: 50e-6, ..Position::default() };
+    for place in [Side::Left, Side::Right] {
+        let [one, other] = [&sound, &dented].map(|running| only(running, place, position));
+        // A slope of 60 degrees halves what the wheel goes down.
+        assert!((other.approach - 25e-6).abs() < 1e-7, "{}", other.approach);
+        assert!((one.approach - other.approach).abs() < 1e-12);
+        assert!((one.angle - other.angle).abs() < 1e-9);
+        for k in 0..3 {
+            assert!((one.reference[k] - other.reference[k]).abs() < 1e-9, "{:?}", other.reference);
+        }
+        for s in [-5e-4, 0.0, 5e-4] {
+            let [one, other] = [one, other].map(|contact| contact.gap(1e-3, s).unwrap());
+            assert!((one - other).abs() < 1e-12, "{one} {other}");
+        }
+    }
+    // It still touches the sound parts first where it comes down.
+    let [one, other] = [&sound, &dented].map(|running| running.touch(Side::Right, 0.0, 0.0, 0.0));
+    assert!((one.unwrap().z - other.unwrap().z).abs() < 1e-9);
+}
+
 #[test]
 fn the_left_wheel_is_the_mirror_image() {
     let running = manchester();

@@ -62,7 +62,7 @@ impl AnyCaseFile {
     /// [`GapCaseError`] with section, key and value.
     pub fn case(&self, directory: &Path) -> Result<AnyCase, GapCaseError> {
         Ok(match self {
-            Self::Ellipse(file) => AnyCase::Ellipse(file.case()?),
+            Self::Ellipse(file) => AnyCase::Ellipse(file.case_in(directory)?),
             Self::Gap(file) => AnyCase::Gap(file.case(directory)?),
         })
     }

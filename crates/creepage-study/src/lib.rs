@@ -139,9 +139,10 @@ pub use text::hertz_text;
 pub use unattainable::UnattainableForce;
 pub use wheelset::{
     ConicityTable, MapBuildError, MapPlan, MapProgress, MapResolution, MapStage, ProfileNote,
-    TableAxis, WHEEL_STEP_COLUMNS, Wear, WearEnd, WearError, WearLaw, WearLimit, WearMeasure,
-    WearPlan, WearProgress, WearSituation, WearStop, WheelStepsRun, WheelTable, WheelTableError,
-    WheelsetCase, WheelsetFile, WheelsetFileError, WheelsetReport, WheelsetTable, WornBodies,
-    WornBody, WornProfile, WornSides, build_map, conicity, profile_pictures, radius_difference_csv,
-    wear, wheelset_caution_words, wheelset_cautions, wheelset_json_schema,
+    TableAxis, WHEEL_STEP_COLUMNS, WHEEL_STEP_NUMBERS, Wear, WearEnd, WearError, WearLaw,
+    WearLimit, WearMeasure, WearPlan, WearProgress, WearSituation, WearStop, WheelStepsRun,
+    WheelTable, WheelTableError, WheelsetCase, WheelsetFile, WheelsetFileError, WheelsetReport,
+    WheelsetTable, WornBodies, WornBody, WornProfile, WornSides, build_map, conicity,
+    profile_pictures, radius_difference_csv, wear, wheelset_caution_words, wheelset_cautions,
+    wheelset_json_schema,
 };

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::added_slip::AddedSlip;
 use crate::check::{self, InvalidValue};
 use crate::ellipse::Ellipse;
 use crate::friction_law::RollingFriction;
@@ -35,6 +36,7 @@ pub struct Contact {
     scaling: Scaling,
     friction_law: Option<RollingFriction>,
     layer: Option<Layer>,
+    added_slip: Option<Arc<AddedSlip>>,
 }
 
 impl Contact {
@@ -55,6 +57,7 @@ impl Contact {
             scaling: Scaling::DIMENSIONLESS,
             friction_law: None,
             layer: None,
+            added_slip: None,
         })
     }
 
@@ -132,6 +135,26 @@ impl Contact {
         Self { layer: Some(layer), ..self }
     }
 
+    /// The same with a rigid slip beside that of creepage and spin. `exact` follows it, one-way;
+    /// [`TheorySpec::prepare`](crate::TheorySpec::prepare) refuses such a contact for the other theories.
+    ///
+    /// ```
+    /// use creepage::{AddedSlip, Contact, Creepage, Ellipse, TheorySpec};
+    /// // A slip that is the same everywhere is a creepage.
+    /// let contact = Contact::new(Ellipse::from_ratio(1.0)?, 0.28)?;
+    /// let slipping = contact.clone().with_added_slip(AddedSlip::new(&[[0.0, 0.0, 0.5, 0.0]])?);
+    /// let force = |contact: &Contact, xi: f64| -> Result<f64, Box<dyn std::error::Error>> {
+    ///     let theory = TheorySpec::named("exact")?.prepare(contact)?;
+    ///     Ok(theory.solve(Creepage::new(xi, 0.0, 0.0)?).force.fx)
+    /// };
+    /// assert!((force(&slipping, 0.3)? - force(&contact, 0.8)?).abs() < 1e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn with_added_slip(self, slip: impl Into<Arc<AddedSlip>>) -> Self {
+        Self { added_slip: Some(slip.into()), ..self }
+    }
+
     /// The same with another law of friction and another layer, or without.
     pub(crate) fn with_resistance(
         &self,
@@ -151,6 +174,30 @@ impl Contact {
     #[must_use]
     pub fn layer(&self) -> Option<Layer> {
         self.layer
+    }
+
+    /// The rigid slip beside that of creepage and spin, where there is one.
+    #[must_use]
+    pub fn added_slip(&self) -> Option<&Arc<AddedSlip>> {
+        self.added_slip.as_ref()
+    }
+
+    /// That at a place, in the units of [`Contact::scaling`]; none without one.
+    pub(crate) fn slip_beside(&self, place: [f64; 2]) -> [f64; 2] {
+        let Some(slip) = &self.added_slip else { return [0.0; 2] };
+        let [x, y] = place.map(|at| self.scaling.length * at);
+        slip.at(x, y).map(|slip| slip / self.scaling.slip)
+    }
+
+    /// For a theory that knows one creepage and spin.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] with a rigid slip beside them.
+    pub(crate) fn without_added_slip(&self) -> Result<(), InvalidValue> {
+        let largest = self.added_slip.as_ref().map_or(0.0, |slip| slip.largest());
+        let valid = "left out: this theory knows one creepage and spin for the whole contact; exact, one-way, follows \
+                     a slip from place to place";
+        check::require(self.added_slip.is_none(), "added slip", largest, valid).map(drop)
     }
 
     /// Hertz's contact ellipse, whose `c = sqrt(a b)` is the unit of length. For areas of any shape the

@@ -94,6 +94,7 @@ pub mod unsteady;
 pub mod variational;
 pub mod viscoelastic;
 
+mod added_slip;
 mod check;
 mod contact;
 mod creepage;
@@ -103,6 +104,7 @@ mod layer;
 mod scaling;
 mod solid;
 
+pub use added_slip::AddedSlip;
 pub use check::InvalidValue;
 pub use contact::Contact;
 pub use creepage::{Creepage, Force};

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use creepage::normal::NormalError;
 use creepage::{Status, TheorySpec};
 use creepage_study::{
-    Caution, GapCaseError, GapFile, GapRows, GapSolver, GapValue, GapVaried, LoadOrApproach,
+    Caution, GapCaseError, GapFile, GapRows, GapSolver, GapValue, GapVaried, Heat, LoadOrApproach,
     SolvedCase, Sources, theory_spec,
 };
 use csv::ByteRecord;
@@ -39,6 +39,11 @@ const COLUMNS: [(&str, &str); 15] = [
     ("moment_error_n_m", "lower_body.moment_n_m"),
     ("frictional_power_per_metre_j_per_m", "frictional_power_per_metre_j_per_m"),
     ("frictional_power_w", "frictional_power_w"),
+];
+/// The same where temperatures are wanted.
+const HEAT: [(&str, fn(&Heat) -> f64); 2] = [
+    ("contact_temperature_max_c", |heat| heat.contact_temperature_max_c),
+    ("flash_max_k", |heat| heat.flash_max_k),
 ];
 /// Columns of error bars have it in their names.
 const ERROR: &str = "_error_";
@@ -138,7 +143,14 @@ impl Gaps {
 
     /// The columns that are appended.
     fn appended(&self) -> Vec<&'static str> {
-        self.columns().map(|(name, _)| name).chain(["status", "message"]).collect()
+        let own = self.columns().map(|(name, _)| name);
+        let heat = self.heat_columns().map(|(name, _)| name);
+        own.chain(heat).chain(["status", "message"]).collect()
+    }
+
+    /// Columns of temperatures, where the case asks for them.
+    fn heat_columns(&self) -> impl Iterator<Item = (&'static str, fn(&Heat) -> f64)> {
+        HEAT.into_iter().filter(|_| self.rows.has_heat())
     }
 
     fn answer(&self, row: &ByteRecord) -> Result<RowAnswer, GapRowError> {
@@ -184,7 +196,8 @@ impl Gaps {
             path if path.starts_with("creepage.") => f64::NAN,
             _ => 0.0,
         };
-        let numbers = self.columns().map(number).collect();
+        let none = self.heat_columns().map(|_| f64::NAN);
+        let numbers = self.columns().map(number).chain(none).collect();
         let message = Caution::Status(Status::NoContact).to_string();
         RowAnswer { numbers, status: Status::NoContact, message }
     }
@@ -195,7 +208,10 @@ impl Gaps {
             let found = report.find(path)?;
             if name.contains(ERROR) { found.error } else { found.value }
         };
-        let numbers = self.columns().map(|column| number(column).unwrap_or(f64::NAN)).collect();
+        let own = self.columns().map(|column| number(column).unwrap_or(f64::NAN));
+        // Of a theory without slip there are none, as its caution says.
+        let heat = self.heat_columns().map(|(_, of)| solved.heat().map_or(f64::NAN, of));
+        let numbers = own.chain(heat).collect();
         let cautions: Vec<_> = solved.cautions.iter().map(ToString::to_string).collect();
         RowAnswer { numbers, status: solved.solution().status, message: cautions.join("; ") }
     }

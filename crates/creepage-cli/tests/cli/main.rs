@@ -28,6 +28,7 @@ mod place;
 mod profile;
 mod reproduce;
 mod roll;
+mod slip;
 mod sources;
 mod statics;
 mod stresses;

@@ -4,7 +4,7 @@ use std::ffi::{CString, c_char};
 use std::ptr::{null, null_mut};
 
 use creepage_ffi::*;
-use creepage_study::{WheelsetCase, WheelsetFile};
+use creepage_study::{WheelStepsRun, WheelTable, WheelsetCase, WheelsetFile};
 
 const TEXT: &str = "
 wheel = { profile = 'S1002', radius = 0.46 }
@@ -170,6 +170,78 @@ fn what_is_wrong_has_a_code() {
     for asked in [at(0.5, 0.0), at(f64::INFINITY, 0.0), rest, twice] {
         assert_eq!(solved(wheelset, asked, null()).0, CREEPAGE_INVALID);
     }
+    // SAFETY: it is not used again.
+    unsafe { creepage_wheelset_free(wheelset) };
+}
+
+/// Rolls in steps by columns: the code, the numbers of all rows, their statuses.
+fn rolled(
+    made: *const CreepageWheelset,
+    start: i32,
+    names: &[&str],
+    values: &[f64],
+) -> (i32, Vec<[f64; 19]>, Vec<i32>) {
+    let names: Vec<CString> = names.iter().map(|name| CString::new(*name).unwrap()).collect();
+    let pointers: Vec<*const c_char> = names.iter().map(|name| name.as_ptr()).collect();
+    let rows = values.len() / names.len();
+    let (mut found, mut statuses) = (vec![[NAN; 19]; rows], vec![-1; rows]);
+    // SAFETY: all point to what they should, or to nothing.
+    let code = unsafe {
+        creepage_wheelset_roll(
+            made,
+            start,
+            names.len(),
+            pointers.as_ptr(),
+            rows,
+            values.as_ptr(),
+            found.as_flattened_mut().as_mut_ptr(),
+            statuses.as_mut_ptr(),
+            null_mut(),
+            0,
+        )
+    };
+    (code, found, statuses)
+}
+
+/// What the library itself rolls; begun from steady rolling it is so in the first row, and a row that cannot be solved
+/// leaves those before it.
+#[test]
+fn wheels_roll_in_steps_as_by_the_library() {
+    let text = TEXT.replace("pitch_rate = 'free'", "pitch_rate = 65.25");
+    let (_, wheelset) = made(&text);
+    let names = ["distance", "y", "yaw"];
+    let values = [1e-3, 1e-3, NAN, 2e-3, 1e-3, NAN, 4e-3, 1.2e-3, 1e-4];
+    let (code, found, statuses) = rolled(wheelset, -1, &names, &values);
+    assert_eq!(code, CREEPAGE_OK);
+    assert!(statuses.iter().all(|status| [CREEPAGE_SOLVED, CREEPAGE_DOUBTFUL].contains(status)));
+    let case = case("pitch_rate = 'free'", "pitch_rate = 65.25");
+    let columns = [0, 1, 2].map(|k| [0, 1, 2].map(|row| values[3 * row + k]));
+    let given = [0, 1, 2].map(|k| (names[k], &columns[k][..]));
+    let table = WheelTable::from_columns(&given).unwrap();
+    let mut run = WheelStepsRun::new(&case, &table).unwrap();
+    for row in &found {
+        let (distance, stepped) = run.next_row().unwrap().unwrap();
+        assert_eq!(*row, WheelStepsRun::numbers(distance, &stepped));
+    }
+    // Tractions build up; from steady rolling they are there.
+    let [first, last] = [found[0][1].abs(), found[2][1].abs()];
+    assert!(first < 0.7 * last, "{found:?}");
+    let (code, steady, _) = rolled(wheelset, 1, &names[..2], &[1e-3, 1e-3]);
+    assert_eq!(code, CREEPAGE_OK);
+    assert!(steady[0][1].abs() > last, "{steady:?}");
+    let (code, found, _) = rolled(wheelset, 0, &names[..2], &[1e-3, 1e-3, 2e-3, 0.5]);
+    assert_eq!(code, CREEPAGE_INVALID);
+    assert!(found[0][1].is_finite() && found[1][1].is_nan());
+    let wrong: [(i32, &[&str], i32); 4] = [
+        (0, &["distance", "hight"], CREEPAGE_TEXT),
+        (0, &["y", "yaw"], CREEPAGE_TEXT),
+        (0, &["distance", "distance"], CREEPAGE_TEXT),
+        (2, &["distance", "y"], CREEPAGE_INVALID),
+    ];
+    for (start, names, expected) in wrong {
+        assert_eq!(rolled(wheelset, start, names, &[1e-3, 0.0]).0, expected, "{names:?}");
+    }
+    assert_eq!(rolled(wheelset, 0, &names[..2], &[-1.0, 0.0]).0, CREEPAGE_INVALID);
     // SAFETY: it is not used again.
     unsafe { creepage_wheelset_free(wheelset) };
 }

@@ -271,6 +271,7 @@ pub(super) fn centred(case: &Bodies) -> (Bodies, [f64; 2]) {
         lowest = 0.0;
     }
     centred.shape = Some(Shape::Quadratic([first, mixed, second, 0.0, 0.0, lowest]));
+    centred.middle = place;
     (centred, place)
 }
 

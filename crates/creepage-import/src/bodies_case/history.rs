@@ -80,6 +80,11 @@ impl Parts<'_> {
             if (parts.materials, &parts.friction_text) != (own.materials, &own.friction_text) {
                 return Err("a history in which friction or the bodies change".into());
             }
+            if case.control.tangential() >= 2 && parts.slip != own.slip {
+                return Err(
+                    "slip added element by element (E) that changes from step to step".into()
+                );
+            }
             let way = way(places, index)?;
             match case.control.tangential() {
                 0 if index == 0 => {

@@ -4,6 +4,7 @@ mod friction;
 mod geometry;
 mod history;
 mod motion;
+mod slip;
 
 use crate::bodies::Bodies;
 use crate::read::{Extra, FrictionRead, Materials};
@@ -12,6 +13,7 @@ use crate::{File, Written};
 use friction::friction;
 pub(crate) use friction::law_text;
 use geometry::{centred, geometry};
+use slip::added_slip;
 
 /// What has no counterpart, as the cause.
 type Cause = String;
@@ -50,6 +52,8 @@ struct Parts<'a> {
     needs_speed: bool,
     /// Whether friction depends on the temperature.
     needs_heat: bool,
+    /// Rigid slip from place to place.
+    slip: Option<String>,
     /// Whether it rolls in -x, so that the axes are turned.
     turned: bool,
 }
@@ -97,14 +101,18 @@ impl<'a> Parts<'a> {
             }
             _ => false,
         };
-        if case.has_added_slip {
-            return Err("slip added element by element (E)".into());
-        }
         if case.planform != 1 {
             return Err("a contact area that is bounded beforehand (IPLAN)".into());
         }
         let (geometry, pressed) = geometry(case, materials, turned, notes)?;
         let (friction, friction_text, needs_speed) = friction(case, turned, notes)?;
+        if case.control.tangential() != 0 && (friction.is_nan() || friction <= 0.0) {
+            return Err(format!(
+                "a coefficient of friction of {}: without friction there is no traction to be found",
+                number(friction)
+            ));
+        }
+        let slip = added_slip(case, materials, (&geometry, pressed), turned)?;
         let needs_heat = case.friction.as_ref().is_some_and(FrictionRead::needs_heat);
         let parts = Self {
             case,
@@ -115,6 +123,7 @@ impl<'a> Parts<'a> {
             friction_text,
             needs_speed,
             needs_heat,
+            slip,
             turned,
         };
         let relaxes =
@@ -235,7 +244,13 @@ impl<'a> Parts<'a> {
             keys.push(("semi_axis_lateral", number(b)));
         }
         if with_friction {
-            keys.push(("friction", self.friction_text.clone()));
+            // Bodies of any shape have a coefficient even where they are pressed only.
+            let is_none = self.friction.is_nan() || self.friction <= 0.0;
+            keys.push((
+                "friction",
+                if is_none { "1.0".into() } else { self.friction_text.clone() },
+            ));
+            keys.extend(self.slip.clone().map(|slip| ("slip", slip)));
         }
         let gap = match &self.geometry {
             Geometry::Gap(text) => format!("\n[gap]\n{text}"),

@@ -288,6 +288,9 @@ impl Parts<'_> {
                         shape, or in Fastrip"
                 .into());
         }
+        if is_simplified && !is_wanted && self.slip.is_some() {
+            return Err("slip added element by element (E) in a simplified theory".into());
+        }
         if is_simplified && is_wanted {
             notes.push(
                 "FASTSIM to a wanted force (M = 3, 5 with F = 1, 2): ours finds no creepage, so it is by the \
@@ -323,7 +326,15 @@ impl Parts<'_> {
             _ => {
                 let mut keys = vec![("theory", quoted("exact"))];
                 if self.is_unlike() && self.case.control.outer_rounds() > 1.0 && !is_gap {
-                    keys.push(("coupled", "true".into()));
+                    if self.slip.is_some() {
+                        notes.push(
+                            "slip added element by element (E) is followed one-way: what traction does to the pressure \
+                             of unlike bodies is left out"
+                                .into(),
+                        );
+                    } else {
+                        keys.push(("coupled", "true".into()));
+                    }
                 }
                 Ok(keys)
             }

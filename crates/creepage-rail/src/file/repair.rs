@@ -12,14 +12,29 @@ const REPEATED: f64 = 1e-8;
 /// Turns of a zig-zag, and the largest turn between short stretches (rad).
 const ZIG_ZAG: f64 = 5.0 / 6.0 * PI;
 const LARGEST_TURN: f64 = 2.0 / 3.0 * PI;
-/// A true corner turns by more than the first while its neighbours within the reach turn by less
-/// than the second (rad, m).
-const CORNER: f64 = PI / 6.0;
-const SMOOTH: f64 = PI / 30.0;
+/// What is near on a measured profile (m).
 pub(super) const REACH: f64 = 2e-3;
 /// A gap is longer than this (m), and than so many times the usual spacing.
 const GAP: f64 = 5e-3;
 const TIMES: f64 = 8.0;
+
+/// What is a true corner of a profile rather than its roughness.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CornerSearch {
+    /// A corner turns by more than this (rad),
+    pub turn: f64,
+    /// while its neighbours within the reach turn by less than this (rad).
+    pub rest: f64,
+    /// The reach (m), to both sides; zero makes every such turn a corner.
+    pub reach: f64,
+}
+
+impl Default for CornerSearch {
+    /// 30 and 6 degrees, and 2 mm.
+    fn default() -> Self {
+        Self { turn: PI / 6.0, rest: PI / 30.0, reach: REACH }
+    }
+}
 
 /// Drops repeated points, takes zig-zags out; refuses what turns back or crosses itself.
 pub(super) fn repaired(
@@ -160,7 +175,11 @@ fn cross(points: &[Point], i: usize, j: usize) -> bool {
 }
 
 /// Indices at which the curve is broken: true corners and the ends of gaps.
-pub(super) fn corners(points: &[Point], actions: &mut Vec<Action>) -> Vec<usize> {
+pub(super) fn corners(
+    points: &[Point],
+    search: CornerSearch,
+    actions: &mut Vec<Action>,
+) -> Vec<usize> {
     let mut spacings: Vec<f64> =
         points.windows(2).map(|pair| distance(&pair[0], &pair[1])).collect();
     spacings.sort_by(f64::total_cmp);
@@ -179,10 +198,10 @@ pub(super) fn corners(points: &[Point], actions: &mut Vec<Action>) -> Vec<usize>
         }
         if inside && (before.is_some() || gap(index).is_some()) {
             corners.push(index);
-        } else if turn.abs() > CORNER && alone(points, index) {
+        } else if turn.abs() > search.turn && alone(points, index, search) {
             actions.push(Action::Corner { line: point.line, turn });
             corners.push(index);
-        } else if turn.abs() > CORNER {
+        } else if turn.abs() > search.turn {
             actions.push(Action::Rough { line: point.line, turn });
         }
     }
@@ -190,10 +209,11 @@ pub(super) fn corners(points: &[Point], actions: &mut Vec<Action>) -> Vec<usize>
 }
 
 /// Whether the neighbours of a point within reach hardly turn.
-fn alone(points: &[Point], index: usize) -> bool {
+fn alone(points: &[Point], index: usize, search: CornerSearch) -> bool {
     let Some(point) = points.get(index) else { return false };
-    let near = |i: &usize| points.get(*i).is_some_and(|other| distance(point, other) < REACH);
+    let near =
+        |i: &usize| points.get(*i).is_some_and(|other| distance(point, other) < search.reach);
     let before = (1..index).rev().take_while(near);
     let after = (index + 1..points.len()).take_while(near);
-    before.chain(after).all(|i| turn_at(points, i).abs() < SMOOTH)
+    before.chain(after).all(|i| turn_at(points, i).abs() < search.rest)
 }

@@ -152,8 +152,8 @@ impl Rail {
         Some((s, point))
     }
 
-    /// From the highest station outwards, as long as `y` goes on; and on which ends it stops at
-    /// a wall before the profile ends.
+    /// From the highest station outwards, as long as `y` goes on or comes out again below a dent; and on which
+    /// ends it stops at a wall before the profile ends.
     fn seen_from_above(&self, stations: &[f64]) -> (Vec<Station>, [bool; 2]) {
         let points: Vec<(f64, CurvePoint)> = stations.iter().map(|&s| (s, self.at(s))).collect();
         let heights = points.iter().map(|(_, point)| point.z).enumerate();
@@ -167,8 +167,9 @@ impl Rail {
         (seen, [inner_wall, outer_wall])
     }
 
-    /// Stations as long as `y` grows in the given sense and the surface looks upwards; at a wall
-    /// its foot is the last.
+    /// Stations as long as `y` grows in the given sense and the surface looks upwards; at a wall its foot is the
+    /// last, unless the surface comes out beyond it further down: the wall of a dent, whose underside alone is
+    /// hidden. Stations go on there at the same `y`.
     fn onwards<'p>(
         &self,
         walk: impl Iterator<Item = &'p (f64, CurvePoint)>,
@@ -176,22 +177,34 @@ impl Rail {
     ) -> (Vec<Station>, bool) {
         let mut seen: Vec<Station> = Vec::new();
         let looks_up = |s: f64| self.at(s).tangent[0] > 1e-6;
+        // Where it was last, below a wall.
+        let mut hidden: Option<f64> = None;
         for &(s, point) in walk {
             let Some(&last) = seen.last() else {
                 seen.push(Station::new(s, point));
                 continue;
             };
-            if sense * point.y > sense * last.y && looks_up(s) {
+            let goes_on = sense * point.y > sense * last.y && looks_up(s);
+            if let Some(before) = hidden {
+                if !(goes_on && point.z > last.z) {
+                    hidden = Some(s);
+                    continue;
+                }
+                let is_out = |s: f64| sense * self.at(s).y > sense * last.y;
+                let [out, _] = threshold([s, before], is_out);
+                seen.extend([out, s].map(|s| Station::new(s, self.at(s))));
+                hidden = None;
+            } else if goes_on {
                 seen.push(Station::new(s, point));
-                continue;
+            } else {
+                let [foot, _] = threshold([last.s, s], looks_up);
+                let point = self.at(foot);
+                if sense * point.y > sense * last.y {
+                    seen.push(Station::new(foot, point));
+                }
+                hidden = Some(s);
             }
-            let [foot, _] = threshold([last.s, s], looks_up);
-            let point = self.at(foot);
-            if sense * point.y > sense * last.y {
-                seen.push(Station::new(foot, point));
-            }
-            return (seen, true);
         }
-        (seen, false)
+        (seen, hidden.is_some())
     }
 }

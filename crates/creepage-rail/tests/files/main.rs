@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp)]
 
-use creepage_rail::file::{Action, FileError, Format, ReadOptions, Reading, read, write};
+use creepage_rail::file::{
+    Action, CornerSearch, FileError, Format, ReadOptions, Reading, read, write,
+};
 use creepage_rail::{Profile, Role, Side, Smoothing, Standard};
 
 mod believed;

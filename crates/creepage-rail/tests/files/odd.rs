@@ -143,3 +143,27 @@ fn quotes_fortrans_exponents_and_long_minuses_are_numbers() {
         assert!(apart(&found.profile, &plain, [-0.03, 0.05]) < 1e-12);
     }
 }
+
+/// Of a notch of turns half a millimetre apart none is a corner by itself, and all are where nothing beside them is
+/// looked at.
+#[test]
+fn corners_are_those_that_are_asked_for() {
+    let mut points = head();
+    let top = points.iter().position(|point| point[0] >= 0.0).unwrap();
+    points[top][1] += 0.5;
+    let text = columns(&points);
+    let turns = |corners: Option<CornerSearch>| {
+        let wanted = ReadOptions { corners, ..wanted(Role::Rail) };
+        let actions = read("rail.txt", text.as_bytes(), &wanted).unwrap().actions;
+        let count = |is: fn(&Action) -> bool| actions.iter().filter(|action| is(action)).count();
+        [
+            count(|action| matches!(action, Action::Corner { .. })),
+            count(|action| matches!(action, Action::Rough { .. })),
+        ]
+    };
+    assert_eq!(turns(None), [0, 3]);
+    let alone = CornerSearch { reach: 0.0, ..CornerSearch::default() };
+    assert_eq!(turns(Some(alone)), [3, 0]);
+    // A turn of 45 degrees there and back is none of 100.
+    assert_eq!(turns(Some(CornerSearch { turn: 1.75, ..alone })), [0, 0]);
+}

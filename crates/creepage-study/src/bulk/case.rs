@@ -70,6 +70,9 @@ impl BulkCase {
         if file.has_heat() {
             return Err(CaseError::HeatOfRows);
         }
+        if file.has_slip() {
+            return Err(CaseError::SlipOfRows);
+        }
         let (mut base, theory) = (file.sections(), file.theory()?);
         Varied::make_room(&varied, &mut base);
         let bodies = bodies(&base, &varied);

@@ -209,14 +209,15 @@ impl Solver {
         [contact.ellipse().ratio(), contact.poisson(), kappa_over_mu].map(f64::to_bits)
     }
 
-    /// Whether a theory for this contact serves all of its key: a law of friction and a layer are in
+    /// Whether a theory for this contact serves all of its key: a law of friction, a layer and an added slip are in
     /// units of their own contact, and coupled bodies need the coefficient of friction by itself.
     fn is_shared(&self, contact: &Contact) -> bool {
         let coupled = matches!(
             &self.0,
             PreparedFor::Theory { spec: TheorySpec::Exact(options), .. } if options.coupled
         );
-        !coupled && contact.rolling_friction().is_none() && contact.layer().is_none()
+        let is_plain = contact.rolling_friction().is_none() && contact.layer().is_none();
+        !coupled && is_plain && contact.added_slip().is_none()
     }
 }
 

@@ -7,6 +7,7 @@ use serde::Deserialize;
 use crate::case::body::Body;
 use crate::case::error::CaseError;
 use crate::case::friction::FrictionValue;
+use crate::case::slip::SlipPoints;
 
 /// The load and the friction, and the contact ellipse where it is known beforehand.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -24,6 +25,12 @@ pub(crate) struct ContactSection {
     pub(crate) semi_axis_rolling: Option<f64>,
     /// Semi-axis of the contact ellipse across the rolling direction (m).
     pub(crate) semi_axis_lateral: Option<f64>,
+    /// Rigid slip of the upper body relative to the lower, over the rolling velocity, that differs from place to
+    /// place: added to that of creepage and spin. CSV file beside the case file with the columns x, y (m),
+    /// longitudinal, lateral, or these as lists: the points of a rectangular grid, in any order. Theory exact.
+    #[schemars(with = "SlipPoints")]
+    #[serde(default)]
+    pub(crate) slip: Option<SlipPoints>,
 }
 
 const SECTION: &str = "contact";

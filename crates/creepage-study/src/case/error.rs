@@ -105,8 +105,23 @@ pub enum CaseError {
         /// Why.
         source: creepage::viscoelastic::ViscoelasticError,
     },
+    /// Points that are no rigid slip.
+    #[error("[contact] {points}: {why}")]
+    Slip {
+        /// The key, and the file if there is one.
+        points: String,
+        /// What is wrong with them.
+        why: String,
+    },
+    /// A slip from place to place in many rows at once.
+    #[error(
+        "[contact] slip is for one case at a time: leave it out for rows of many, or solve each file"
+    )]
+    SlipOfRows,
     /// Temperatures of many rows at once.
-    #[error("[heat] is for one case at a time: leave it out for rows of many")]
+    #[error(
+        "[heat] is for one case at a time: leave it out for rows of many; rows of a case with [gap] have temperatures"
+    )]
     HeatOfRows,
     /// The creepage is wanted where it must be given.
     #[error(

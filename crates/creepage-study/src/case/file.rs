@@ -1,5 +1,7 @@
 //! Case file of a contact with an ellipse, and the case that it describes.
 
+use std::path::Path;
+
 use creepage::coulomb::Constraints;
 use creepage::theory::UnknownTheory;
 use creepage::{Contact, Creepage, Hertz, Solid, TheorySpec};
@@ -19,6 +21,7 @@ use super::schema::schema_of;
 use super::sections::{PressedBodies, Sections};
 use super::solve;
 use super::wanted::WantedSection;
+use crate::Sources;
 use crate::damage::{DamageSection, DamageWanted};
 use crate::heat::{HeatSection, HeatWanted};
 
@@ -211,10 +214,22 @@ impl CaseFile {
     /// As [`CaseFile::hertz`]; also when friction or creepage is missing or out of range, when the
     /// ellipse stands askew to the rolling direction, when forces are wanted and not three
     /// quantities are given by `[creepage]` and `[wanted]` together, and for options that the
-    /// theory does not have.
+    /// theory does not have. A file of slips stands in the working directory.
     pub fn case(&self) -> Result<Case, CaseError> {
+        self.case_in(Path::new(""))
+    }
+
+    /// The same where a file of slips that it names stands in `directory`.
+    ///
+    /// # Errors
+    /// As [`CaseFile::case`], and for a file that has no slips.
+    pub fn case_in(&self, directory: &Path) -> Result<Case, CaseError> {
         let sections = self.sections();
         let PressedBodies { hertz, friction, contact, speed } = sections.touching()?;
+        let contact = match &self.contact.slip {
+            Some(slip) => contact.with_added_slip(slip.read(directory)?),
+            None => contact,
+        };
         let scaling = contact.scaling();
         let given = if self.wants() {
             Given::Constraints(self.wanted.constraints(&self.creepage, hertz.ellipse(), scaling)?)
@@ -239,6 +254,18 @@ impl CaseFile {
             heat,
             theory,
         })
+    }
+
+    /// The file of slips that it names, which stands in `directory`, if any.
+    #[must_use]
+    pub fn sources(&self, directory: &Path) -> Sources {
+        let slip = self.contact.slip.as_ref();
+        Sources::new(slip.and_then(|slip| slip.file(directory)))
+    }
+
+    /// Whether the rigid slip differs from place to place.
+    pub(crate) fn has_slip(&self) -> bool {
+        self.contact.slip.is_some()
     }
 
     /// Whether temperatures are wanted.

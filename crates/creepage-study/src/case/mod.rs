@@ -14,6 +14,7 @@ pub(crate) mod motion;
 pub(crate) mod radius;
 pub(crate) mod schema;
 pub(crate) mod sections;
+pub(crate) mod slip;
 pub(crate) mod solve;
 mod statics;
 mod sweep;

@@ -1,9 +1,11 @@
 //! Case of two bodies of any shape, every number of it checked.
 
+use std::sync::Arc;
+
 use creepage::curved::CurvedGap;
 use creepage::friction_law::RollingFriction;
 use creepage::gap::Gap;
-use creepage::{Layer, SiCreepage, Solid, SolidPair, TheorySpec};
+use creepage::{AddedSlip, Layer, SiCreepage, Solid, SolidPair, TheorySpec};
 
 use super::along::Roller;
 use super::creepage::SiGiven;
@@ -45,6 +47,8 @@ pub struct GapCase {
     pub rolling_friction: Option<RollingFriction>,
     /// The layer between the bodies.
     pub layer: Option<Layer>,
+    /// Rigid slip beside creepage and spin, where it differs from place to place.
+    pub slip: Option<Arc<AddedSlip>>,
     /// What is wanted of wear and fatigue, if anything is.
     pub damage: Option<DamageWanted>,
     /// What is wanted of temperatures, if anything is.

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::error::GapFileError;
 
 /// The columns of a file by name, as many values each.
-pub(super) struct Columns {
+pub(crate) struct Columns {
     names: Vec<String>,
     values: Vec<Vec<f64>>,
 }
@@ -63,7 +63,7 @@ impl Columns {
     }
 
     /// A column that the file was read for; empty otherwise.
-    pub(super) fn column(&self, name: &str) -> &[f64] {
+    pub(crate) fn column(&self, name: &str) -> &[f64] {
         self.find(name).unwrap_or_default()
     }
 }

@@ -66,7 +66,7 @@ impl GapCase {
         let TheorySpec::Exact(options) = &self.theory else {
             return Err(GapCaseError::CurvedTheory { name: self.theory.facts().name });
         };
-        if self.rolling_friction.is_some() || self.layer.is_some() {
+        if self.rolling_friction.is_some() || self.layer.is_some() || self.slip.is_some() {
             return Err(GapCaseError::CurvedFriction);
         }
         let (resolutions, _) = options.resolutions().map_err(CaseError::invalid("solve"))?;

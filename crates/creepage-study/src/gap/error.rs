@@ -91,8 +91,11 @@ pub enum GapCaseError {
         /// Its name.
         name: &'static str,
     },
-    /// A law of friction or a layer on a curve.
-    #[error("[contact] surface = \"curved\" takes constant friction without a layer")]
+    /// A law of friction, a layer or a slip from place to place on a curve.
+    #[error(
+        "[contact] surface = \"curved\" takes constant friction, without a layer and without [contact] slip: its own \
+         slip differs from place to place"
+    )]
     CurvedFriction,
     /// Forces other than the longitudinal one on a curve.
     #[error("[contact] surface = \"curved\" finds the creepage to a longitudinal_force alone")]

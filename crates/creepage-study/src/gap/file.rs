@@ -20,6 +20,7 @@ use crate::case::friction::FrictionValue;
 use crate::case::layer::LayerSection;
 use crate::case::motion::MotionSection;
 use crate::case::schema::schema_of;
+use crate::case::slip::SlipPoints;
 use crate::case::{keys, solve};
 use crate::damage::DamageSection;
 use crate::heat::HeatSection;
@@ -73,6 +74,12 @@ struct PressedSection {
     /// Whether the contact lies in a plane, the default, or along the curve of a groove.
     #[serde(default)]
     surface: Surface,
+    /// Rigid slip of the upper body relative to the lower, over the rolling velocity, that differs from place to
+    /// place: added to that of creepage and spin. CSV file beside the case file with the columns x, y (m),
+    /// longitudinal, lateral, or these as lists: the points of a rectangular grid, in any order. Theory exact.
+    #[schemars(with = "SlipPoints")]
+    #[serde(default)]
+    slip: Option<SlipPoints>,
 }
 
 /// The JSON schema (draft 2020-12) of a case file with `[gap]`.
@@ -137,23 +144,25 @@ impl GapFile {
     /// # Errors
     /// [`GapCaseError`] with section, key and value.
     pub fn case(&self, directory: &Path) -> Result<GapCase, GapCaseError> {
-        let case = self.case_with(|section, pair| section.gap(directory, pair))?;
+        let case = self.case_with(directory, |section, pair| section.gap(directory, pair))?;
         Ok(GapCase { sources: self.sources(directory), ..case })
     }
 
-    /// The file of points that it names, which stands in `directory`, if any.
+    /// The files of points that it names, which stand in `directory`.
     #[must_use]
     pub fn sources(&self, directory: &Path) -> Sources {
-        self.gap.sources(directory)
+        let slip = self.contact.slip.as_ref().and_then(|slip| slip.file(directory));
+        self.gap.sources(directory).with(&Sources::new(slip))
     }
 
     /// As [`GapFile::case`], where the gap comes from elsewhere than from a file just read.
     pub(super) fn case_with(
         &self,
+        directory: &Path,
         gap: impl FnOnce(&GapSection, SolidPair) -> Result<Gap, GapCaseError>,
     ) -> Result<GapCase, GapCaseError> {
         let given = self.creepage.given(&self.wanted)?;
-        Ok(GapCase { given, ..self.at_rest_with(gap)? })
+        Ok(GapCase { given, ..self.at_rest_with(directory, gap)? })
     }
 
     /// The same without creepage: how the bodies move is said elsewhere.
@@ -161,12 +170,13 @@ impl GapFile {
     /// # Errors
     /// As [`GapFile::case`].
     pub fn case_at_rest(&self, directory: &Path) -> Result<GapCase, GapCaseError> {
-        let case = self.at_rest_with(|section, pair| section.gap(directory, pair))?;
+        let case = self.at_rest_with(directory, |section, pair| section.gap(directory, pair))?;
         if case.curved.is_some() { Err(GapCaseError::CurvedSteady) } else { Ok(case) }
     }
 
     fn at_rest_with(
         &self,
+        directory: &Path,
         gap: impl FnOnce(&GapSection, SolidPair) -> Result<Gap, GapCaseError>,
     ) -> Result<GapCase, GapCaseError> {
         let (upper, lower) = (self.upper.body(), self.lower.body());
@@ -192,6 +202,7 @@ impl GapFile {
             friction,
             rolling_friction: self.contact.friction.rolling(speed, heat)?,
             layer: self.layer.as_ref().map(LayerSection::layer).transpose()?,
+            slip: self.contact.slip.as_ref().map(|slip| slip.read(directory)).transpose()?,
             damage: self.damage.as_ref().map(DamageSection::wanted_without_limit).transpose()?,
             heat,
             given: SiGiven::AT_REST,
@@ -204,8 +215,12 @@ impl GapFile {
     /// Its sections of which rows of many have no numbers.
     #[must_use]
     pub fn left_out_of_rows(&self) -> Vec<&'static str> {
-        let sections = [("damage", self.damage.is_some()), ("heat", self.heat.is_some())];
-        sections.into_iter().filter(|(_, given)| *given).map(|(name, _)| name).collect()
+        self.damage.iter().map(|_| "damage").collect()
+    }
+
+    /// Whether temperatures are wanted.
+    pub(super) fn has_heat(&self) -> bool {
+        self.heat.is_some()
     }
 
     /// Whether it has a rolling velocity.

@@ -29,6 +29,7 @@ pub(crate) use field::AreaField;
 pub use file::{GapFile, gap_json_schema};
 pub(crate) use picture::AreasPicture;
 pub use rows::GapRows;
+pub(crate) use shape::Points;
 pub(crate) use solver::pressed;
 pub use solver::{GapSolver, solve_gap};
 pub use text::pressed_text;

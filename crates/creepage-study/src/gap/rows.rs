@@ -49,6 +49,12 @@ impl GapRows {
         self.varied.contains(&GapVaried::Speed) || self.file.has_speed()
     }
 
+    /// Whether rows have temperatures.
+    #[must_use]
+    pub fn has_heat(&self) -> bool {
+        self.file.has_heat()
+    }
+
     /// The case of a row.
     ///
     /// # Errors
@@ -58,7 +64,7 @@ impl GapRows {
         for (varied, value) in self.varied.iter().zip(values) {
             file.set(*varied, value);
         }
-        file.case_with(|section, pair| self.gap(section, pair))
+        file.case_with(&self.directory, |section, pair| self.gap(section, pair))
     }
 
     fn gap(&self, section: &GapSection, pair: SolidPair) -> Result<Gap, GapCaseError> {

@@ -1,7 +1,7 @@
 //! `[gap]`: the undeformed distance of the two bodies.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use creepage::SolidPair;
 use creepage::curved::CurvedGap;
@@ -47,13 +47,14 @@ pub(super) struct GapSection {
     untagged,
     expecting = "expected the name of a file, or lists of numbers by the names of its columns"
 )]
-pub(super) enum Points {
+pub(crate) enum Points {
     File(String),
     Columns(BTreeMap<String, Vec<f64>>),
 }
 
 impl Points {
-    fn read(
+    /// The columns, as many values each; a file stands in `directory`.
+    pub(crate) fn read(
         &self,
         directory: &Path,
         needed: &[&'static str],
@@ -66,10 +67,18 @@ impl Points {
     }
 
     /// The key that gave them, with the file.
-    fn shape(&self, key: &str) -> String {
+    pub(crate) fn shape(&self, key: &str) -> String {
         match self {
             Self::File(file) => format!("{key} = {file:?}"),
             Self::Columns(_) => key.into(),
+        }
+    }
+
+    /// The file, where it is one.
+    pub(crate) fn file(&self, directory: &Path) -> Option<PathBuf> {
+        match self {
+            Self::File(file) => Some(directory.join(file)),
+            Self::Columns(_) => None,
         }
     }
 }
@@ -111,11 +120,8 @@ impl GapSection {
 
     /// The file that gives the shape, where one does.
     pub(super) fn sources(&self, directory: &Path) -> Sources {
-        let file = |points: &Points| match points {
-            Points::File(file) => Some(directory.join(file)),
-            Points::Columns(_) => None,
-        };
-        Sources::new([&self.section, &self.grid].into_iter().flatten().filter_map(file))
+        let points = [&self.section, &self.grid].into_iter().flatten();
+        Sources::new(points.filter_map(|points| points.file(directory)))
     }
 
     /// The key that gives the shape, with its file.

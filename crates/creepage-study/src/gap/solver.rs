@@ -140,7 +140,11 @@ impl PreparedAreas {
         let theory = self.theories.of(&resolution, || NonHertzian::on(contact, resolution));
         let theory = theory.as_ref().as_ref().map_err(InvalidValue::clone)?;
         let theory = theory.with_friction(friction)?;
-        Ok(theory.with_resistance(contact.rolling_friction(), contact.layer()))
+        let theory = theory.with_resistance(contact.rolling_friction(), contact.layer());
+        Ok(match contact.added_slip() {
+            Some(slip) => theory.with_added_slip(Arc::clone(slip)),
+            None => theory,
+        })
     }
 }
 
@@ -153,8 +157,12 @@ impl GapCase {
             Some(law) => contact.with_rolling_friction(law),
             None => contact,
         };
-        Ok(match self.layer {
+        let contact = match self.layer {
             Some(layer) => contact.with_layer(layer),
+            None => contact,
+        };
+        Ok(match &self.slip {
+            Some(slip) => contact.with_added_slip(Arc::clone(slip)),
             None => contact,
         })
     }

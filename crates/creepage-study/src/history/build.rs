@@ -21,11 +21,14 @@ use crate::gap::{GapCase, pressed};
 use crate::{CaseError, Caution, Sources};
 
 impl RollFile {
-    /// The file of points that it names, which stands in `directory`, if any.
+    /// The files of points that it names, which stand in `directory`.
     #[must_use]
     pub fn sources(&self, directory: &Path) -> Sources {
         match &self.bodies {
-            Bodies::Smooth(_) => Sources::default(),
+            Bodies::Smooth(file) => {
+                let slip = file.contact.slip.as_ref();
+                Sources::new(slip.and_then(|slip| slip.file(directory)))
+            }
             Bodies::Shaped(file) => file.sources(directory),
         }
     }
@@ -37,7 +40,7 @@ impl RollFile {
     /// theories of steady rolling.
     pub fn case(&self, directory: &Path) -> Result<RollCase, HistoryError> {
         let case = match &self.bodies {
-            Bodies::Smooth(file) => file.case()?,
+            Bodies::Smooth(file) => file.case(directory)?,
             Bodies::Shaped(file) => on_areas(&file.case_at_rest(directory)?)?,
         };
         if case.lacks_memory() {
@@ -52,7 +55,7 @@ impl RollFile {
 }
 
 impl SmoothFile {
-    fn case(&self) -> Result<RollCase, HistoryError> {
+    fn case(&self, directory: &Path) -> Result<RollCase, HistoryError> {
         let (spec, method) = self.method()?;
         match (self.contact.normal_force, self.contact.line_load) {
             (Some(_), Some(_)) => {
@@ -63,7 +66,7 @@ impl SmoothFile {
                 let keys = ["normal_force", "line_load"];
                 Err(CaseError::MissingEither { section: "contact", keys }.into())
             }
-            (Some(force), None) => self.ellipse(force, (&spec, method)),
+            (Some(force), None) => self.ellipse(force, (&spec, method), directory),
             (None, Some(_)) if matches!(method, Method::Fastsim(_)) => {
                 Err(HistoryError::NotOfFastsim { what: "[contact] line_load" })
             }
@@ -93,6 +96,7 @@ impl SmoothFile {
         &self,
         normal_force: f64,
         (spec, method): (&TheorySpec, Method),
+        directory: &Path,
     ) -> Result<RollCase, HistoryError> {
         let own = &self.contact;
         let only_of_lines =
@@ -107,6 +111,7 @@ impl SmoothFile {
             angle: own.angle,
             semi_axis_rolling: own.semi_axis_rolling,
             semi_axis_lateral: own.semi_axis_lateral,
+            slip: None,
         };
         let hertz = section.hertz(&self.upper, &self.lower)?;
         check_aligned(own.angle, &hertz)?;
@@ -120,6 +125,16 @@ impl SmoothFile {
                 return Err(HistoryError::NotOfVariational { what: "section [layer]" });
             }
             Some(layer) => contact.with_layer(layer),
+        };
+        let contact = match (&own.slip, method) {
+            (None, _) => contact,
+            (Some(slip), Method::Exact(_)) => contact.with_added_slip(slip.read(directory)?),
+            (Some(_), Method::Fastsim(_)) => {
+                return Err(HistoryError::NotOfFastsim { what: "[contact] slip" });
+            }
+            (Some(_), Method::Variational(_)) => {
+                return Err(HistoryError::NotOfVariational { what: "[contact] slip" });
+            }
         };
         if matches!(method, Method::Variational(_)) && contact.rolling_friction().is_some() {
             return Err(HistoryError::NotOfVariational { what: "[contact] friction with a law" });
@@ -138,6 +153,7 @@ impl SmoothFile {
             ("angle", own.angle.is_some()),
             ("semi_axis_rolling", own.semi_axis_rolling.is_some()),
             ("semi_axis_lateral", own.semi_axis_lateral.is_some()),
+            ("slip", own.slip.is_some()),
         ];
         if let Some((key, _)) = only_of_ellipses.into_iter().find(|(_, given)| *given) {
             let why = "goes with normal_force alone";
@@ -223,7 +239,8 @@ fn on_areas(case: &GapCase) -> Result<RollCase, HistoryError> {
     let load = contact.load().value;
     let (friction, layer) = (case.rolling_friction, case.layer);
     let cautions = of_areas(case, &contact)?;
-    let kind = Kind::Areas { contact, resolution, friction, layer };
+    let slip = case.slip.clone();
+    let kind = Kind::Areas { contact, resolution, friction, layer, slip };
     Ok(RollCase { scaling, load, friction: case.friction, cautions, kind, start: Start::None })
 }
 

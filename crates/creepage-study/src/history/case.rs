@@ -1,12 +1,14 @@
 //! Case of a contact that rolls by a history.
 
+use std::sync::Arc;
+
 use creepage::approximate::fastsim::Settings;
 use creepage::coulomb::Resolution;
 use creepage::friction_law::RollingFriction;
 use creepage::normal::NormalContact;
 use creepage::unsteady::{Prescribed, Rolled, Rolling, RollingFastsim, RollingVariational};
 use creepage::variational::{self, VariationalError};
-use creepage::{Contact, Force, InvalidValue, Layer, Scaling};
+use creepage::{AddedSlip, Contact, Force, InvalidValue, Layer, Scaling};
 
 use super::error::HistoryError;
 use super::roller::{HistoryMotion, TransientSolver};
@@ -47,6 +49,7 @@ pub(super) enum Kind {
         resolution: Resolution,
         friction: Option<RollingFriction>,
         layer: Option<Layer>,
+        slip: Option<Arc<AddedSlip>>,
     },
 }
 
@@ -118,14 +121,18 @@ impl RollCase {
                 let rolling = Rolling::line_with_surface(length, *poisson, surface, self.scaling)?;
                 TransientSolver::Exact(rolling)
             }
-            Kind::Areas { contact, resolution, friction: law, layer } => {
+            Kind::Areas { contact, resolution, friction: law, layer, slip } => {
                 let (friction, resolution) = (self.friction, *resolution);
-                TransientSolver::Exact(match layer {
+                let rolling = match layer {
                     None => Rolling::on_areas(contact, friction, *law, resolution)?,
                     Some(layer) => {
                         let surface = (*law, *layer);
                         Rolling::on_areas_with_layer(contact, friction, surface, resolution)?
                     }
+                };
+                TransientSolver::Exact(match slip {
+                    Some(slip) => rolling.with_added_slip(slip, self.scaling),
+                    None => rolling,
                 })
             }
         })

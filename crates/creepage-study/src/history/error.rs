@@ -28,12 +28,12 @@ pub enum HistoryError {
     )]
     NoMemory,
     /// A section of steady rolling only.
-    #[error(
-        "section [{section}] is for steady rolling: a contact that rolls by a history has none"
-    )]
+    #[error("section [{section}] is for steady rolling: {why}")]
     Steady {
         /// `damage` or `heat`.
         section: &'static str,
+        /// What does not hold in a history, and what to do instead.
+        why: &'static str,
     },
     /// What a case file with `[gap]` may have wrong.
     #[error(transparent)]

@@ -13,6 +13,7 @@ use crate::case::keys;
 use crate::case::layer::LayerSection;
 use crate::case::radius::Radius;
 use crate::case::schema::schema_of;
+use crate::case::slip::SlipPoints;
 use crate::gap::GapFile;
 
 /// A case file of a contact that rolls as a table says.
@@ -80,6 +81,13 @@ pub(super) struct ContactSection {
     pub(super) radius_rolling: Option<Radius>,
     /// With `line_load`: length of the cylinders (m), needed where a creepage is prescribed.
     pub(super) length: Option<f64>,
+    /// Rigid slip of the upper body relative to the lower, over the rolling velocity, that differs from place to
+    /// place and stands still in the contact: added to that of creepage and spin in every row. CSV file beside the
+    /// case file with the columns x, y (m), longitudinal, lateral, or these as lists: the points of a rectangular
+    /// grid, in any order. Theory exact.
+    #[schemars(with = "SlipPoints")]
+    #[serde(default)]
+    pub(super) slip: Option<SlipPoints>,
 }
 
 /// How fast the contact rolls.
@@ -131,7 +139,18 @@ pub(super) enum StartTraction {
 const MOTION: [&str; 2] = ["creepage", "wanted"];
 
 /// Sections that are for steady rolling.
-const STEADY: [&str; 2] = ["damage", "heat"];
+const STEADY: [(&str, &str); 2] = [
+    (
+        "damage",
+        "its laws take the motion of one passage; give creepage and forces of a row to `creepage solve`",
+    ),
+    (
+        "heat",
+        "a surface is as hot as what its particles met on their way through the contact, and its formulas take that for \
+         the same all the while, which it is not in a history; where rolling has become steady, some contact lengths \
+         after a change, give a row's motion to `creepage solve`",
+    ),
+];
 
 /// Whether a section holds the rolling velocity alone.
 fn is_speed(section: &Value) -> bool {
@@ -151,8 +170,9 @@ impl RollFile {
         if let Some(section) = MOTION.into_iter().find(is_motion) {
             return Err(HistoryError::Section { section });
         }
-        if let Some(section) = STEADY.into_iter().find(|section| table.contains_key(*section)) {
-            return Err(HistoryError::Steady { section });
+        let steady = STEADY.into_iter().find(|(section, _)| table.contains_key(*section));
+        if let Some((section, why)) = steady {
+            return Err(HistoryError::Steady { section, why });
         }
         if table.contains_key("gap") {
             return Self::shaped(table);

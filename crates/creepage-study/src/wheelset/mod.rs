@@ -35,7 +35,9 @@ pub use file::{WheelsetFile, wheelset_json_schema};
 pub use geometry_picture::profile_pictures;
 pub use map::{MapBuildError, MapPlan, MapProgress, MapResolution, MapStage, build_map};
 pub use report::{WheelsetReport, wheelset_caution_words, wheelset_cautions};
-pub use steps::{WHEEL_STEP_COLUMNS, WheelStepsRun, WheelTable, WheelTableError};
+pub use steps::{
+    WHEEL_STEP_COLUMNS, WHEEL_STEP_NUMBERS, WheelStepsRun, WheelTable, WheelTableError,
+};
 pub use table::{TableAxis, WheelsetTable};
 pub use worn::{
     Wear, WearEnd, WearError, WearLaw, WearLimit, WearMeasure, WearPlan, WearProgress,

@@ -1,8 +1,8 @@
 //! Sections of a wheelset file, as they are written.
 
-use creepage::Solid;
+use creepage::{InvalidValue, Solid};
 use creepage_rail::Smoothing;
-use creepage_rail::file::ReadOptions;
+use creepage_rail::file::{CornerSearch, ReadOptions};
 use creepage_wheelset::{Patches, RigidSlip, StepsStart};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -33,6 +33,48 @@ pub(super) struct ReadingSection {
     /// In place of `smooth`: the weight (m3) of the curvature's square beside points that count alike, however far
     /// apart they are.
     smooth_weight: Option<f64>,
+    /// What is a corner, at which curves break, and what is roughness.
+    #[schemars(with = "CornersSection")]
+    #[serde(default)]
+    corners: Option<CornersSection>,
+}
+
+/// A corner turns by more than `turn` while its neighbours within `reach` turn by less than `rest`.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct CornersSection {
+    /// The least turn of a corner (rad); 30 degrees by default.
+    turn: Option<f64>,
+    /// By how much its neighbours turn at most (rad); 6 degrees by default.
+    rest: Option<f64>,
+    /// How far to both sides they are looked at (m); 0.002 by default, and with 0 every such turn is a corner.
+    reach: Option<f64>,
+}
+
+impl CornersSection {
+    fn search(self) -> CornerSearch {
+        let usual = CornerSearch::default();
+        CornerSearch {
+            turn: self.turn.unwrap_or(usual.turn),
+            rest: self.rest.unwrap_or(usual.rest),
+            reach: self.reach.unwrap_or(usual.reach),
+        }
+    }
+
+    fn check(self, section: &'static str) -> Result<(), CaseError> {
+        let CornerSearch { turn, rest, reach } = self.search();
+        for (quantity, value, is_valid) in [
+            ("reading.corners.turn", turn, turn > 0.0),
+            ("reading.corners.rest", rest, rest > 0.0),
+            ("reading.corners.reach", reach, reach >= 0.0),
+        ] {
+            let valid = "finite, and above zero but for the reach";
+            if !(is_valid && value.is_finite()) {
+                return Err(CaseError::invalid(section)(InvalidValue { quantity, value, valid }));
+            }
+        }
+        Ok(())
+    }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
@@ -57,7 +99,7 @@ impl ReadingSection {
                 ["reading.smooth", "reading.smooth_weight"].map(|key| (section, key));
             return Err(CaseError::Conflict { first, second });
         }
-        Ok(())
+        self.corners.map_or(Ok(()), |corners| corners.check(section))
     }
 
     pub(super) fn wanted(&self) -> ReadOptions {
@@ -69,6 +111,7 @@ impl ReadingSection {
                 .smooth
                 .map(Smoothing::Wavelength)
                 .or(self.smooth_weight.map(Smoothing::Weight)),
+            corners: self.corners.map(CornersSection::search),
             ..ReadOptions::default()
         }
     }

@@ -44,6 +44,9 @@ pub const WHEEL_STEP_COLUMNS: [&str; 20] = [
     "status",
 ];
 
+/// How many of them are numbers: all but the status.
+pub const WHEEL_STEP_NUMBERS: usize = WHEEL_STEP_COLUMNS.len() - 1;
+
 /// Error of a table of positions.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -388,25 +391,41 @@ impl<'a> WheelStepsRun<'a> {
         steps_picture::forces(&self.way)
     }
 
+    /// The numbers of a row, in the order of [`WHEEL_STEP_COLUMNS`] without its status; NaN of a side that is not
+    /// solved.
+    #[must_use]
+    pub fn numbers(distance: f64, stepped: &SteppedWheelset) -> [f64; WHEEL_STEP_NUMBERS] {
+        let SteppedWheelset { solved, changes } = stepped;
+        let sides = [&solved.left, &solved.right]
+            .map(|wheel| wheel.as_ref().map_or([f64::NAN; 7], numbers_of));
+        let ContactChanges { appeared, vanished, split, joined } = *changes;
+        let changes = [appeared, vanished, split, joined].map(|count| count as f64);
+        let mut all = std::iter::once(distance).chain(sides.into_iter().flatten()).chain(changes);
+        std::array::from_fn(|_| all.next().unwrap_or(f64::NAN))
+    }
+
     /// The row of [`WHEEL_STEP_COLUMNS`].
     #[must_use]
     pub fn record(distance: f64, stepped: &SteppedWheelset) -> Vec<String> {
-        let SteppedWheelset { solved, changes } = stepped;
-        let mut cells = vec![format!("{distance:e}")];
-        for wheel in [&solved.left, &solved.right] {
-            cells.extend(wheel.as_ref().map_or_else(|| vec![String::new(); 7], cells_of));
-        }
-        let ContactChanges { appeared, vanished, split, joined } = changes;
-        cells.extend([appeared, vanished, split, joined].map(ToString::to_string));
-        cells.push(solved.status().name().into());
-        cells
+        let numbers = WHEEL_STEP_COLUMNS.into_iter().zip(Self::numbers(distance, stepped));
+        let cell = |(name, value): (&str, f64)| match value {
+            value if value.is_nan() => String::new(),
+            value if COUNTS.contains(&name) => format!("{value:.0}"),
+            value => format!("{value:e}"),
+        };
+        let status = stepped.solved.status().name().to_owned();
+        numbers.map(cell).chain(std::iter::once(status)).collect()
     }
 }
+
+/// Columns of whole numbers.
+const COUNTS: [&str; 6] =
+    ["left_contacts", "right_contacts", "appeared", "vanished", "split", "joined"];
 
 /// Of the load: less is friction's error.
 const UNEQUAL: f64 = 5e-3;
 
-fn cells_of(wheel: &SolvedWheel) -> Vec<String> {
+fn numbers_of(wheel: &SolvedWheel) -> [f64; 7] {
     let [along, across, down] = wheel.on_rail().force;
     let contacts = wheel.contacts();
     let normal = contacts.iter().fold(0.0, |sum, one| sum + one.load());
@@ -414,10 +433,8 @@ fn cells_of(wheel: &SolvedWheel) -> Vec<String> {
     let area = |one: &creepage_wheelset::SolvedContact| one.normal.area().value;
     let all: f64 = contacts.iter().map(area).sum();
     let stuck: f64 = contacts.iter().map(|one| area(one) * one.adhesion_share()).sum();
-    let number = |value: f64| format!("{value:e}");
-    let share = if all > 0.0 { number(stuck / all) } else { String::new() };
-    let count = contacts.len().to_string();
-    vec![number(along), number(across), number(down), number(normal), number(peak), count, share]
+    let share = if all > 0.0 { stuck / all } else { f64::NAN };
+    [along, across, down, normal, peak, contacts.len() as f64, share]
 }
 
 #[cfg(test)]

@@ -50,6 +50,13 @@ impl SlipForcing {
         }));
     }
 
+    /// Adds slips, as many as there are elements, or none.
+    pub(crate) fn add(&mut self, more: &[[f64; 2]]) {
+        for (slip, more) in self.slip.iter_mut().zip(more) {
+            *slip = [slip[0] + more[0], slip[1] + more[1]];
+        }
+    }
+
     /// So many times the slip.
     pub(crate) fn scale(&mut self, factor: f64) {
         for slip in &mut self.slip {

@@ -115,6 +115,8 @@ pub struct Exact {
     contact: Contact,
     /// The coarser grid, then the finer with twice its elements along and across.
     grids: [Grid; 2],
+    /// What is added to the slip of each grid's elements; empty where nothing is.
+    added: [Vec<[f64; 2]>; 2],
     pool: Pool,
 }
 
@@ -167,7 +169,11 @@ impl Exact {
             let is_long = ellipse.ratio() > mesh::LONG;
             Grid { is_long, ..grid.with_resistance(friction, layer, contact.scaling()) }
         });
-        Self { contact: contact.clone(), grids, pool: Pool::default() }
+        let added = grids.each_ref().map(|grid| match contact.added_slip() {
+            Some(_) => grid.places.iter().map(|place| contact.slip_beside(*place)).collect(),
+            None => Vec::new(),
+        });
+        Self { contact: contact.clone(), grids, added, pool: Pool::default() }
     }
 
     /// Elements along and across on the finer grid.

@@ -11,10 +11,10 @@ use super::inverse::{Resolve, search};
 use super::mesh::Strip;
 use super::patch_mesh::{Bands, Frame};
 use super::resolution::Resolution;
-use super::solution::{error_bars_and_elements, power_of, quarters};
-use super::solver::State;
+use super::solution::{error_bars_and_elements, power_of, quarters, work_of};
 use super::workspace::{Pool, Workspace};
 use super::{Constraints, InverseError};
+use crate::added_slip::AddedSlip;
 use crate::check::{self, InvalidValue};
 use crate::contact::Contact;
 use crate::friction_law::RollingFriction;
@@ -117,6 +117,13 @@ impl NonHertzian {
         self
     }
 
+    /// The same with a rigid slip beside creepage and spin, as of [`Contact::with_added_slip`].
+    #[must_use]
+    pub fn with_added_slip(mut self, slip: Arc<AddedSlip>) -> Self {
+        self.contact = self.contact.with_added_slip(slip);
+        self
+    }
+
     /// The same contact with another, constant coefficient of friction and without a layer, as
     /// [`NonHertzian::new`] prepares it, at no cost: what is prepared depends on the areas alone.
     ///
@@ -185,9 +192,13 @@ impl NonHertzian {
         [0, 1].map(|k: usize| self.grids[k].mesh.strips.iter().map(Strip::len).collect())
     }
 
-    /// What is added to the creepage at the places of each grid.
+    /// What is added to the creepage at the places of each grid, the contact's own slip among it.
     fn slips(&self, more: impl Fn([f64; 2]) -> [f64; 2]) -> [Vec<[f64; 2]>; 2] {
-        let at = |place: &[f64; 2]| more(self.outward(*place));
+        let at = |place: &[f64; 2]| {
+            let place = self.outward(*place);
+            let ([x, y], [own_x, own_y]) = (more(place), self.contact.slip_beside(place));
+            [x + own_x, y + own_y]
+        };
         [0, 1].map(|k: usize| self.grids[k].places.iter().map(at).collect())
     }
 
@@ -202,9 +213,7 @@ impl NonHertzian {
         let (grids, inward) = (&self.grids, self.inward(creepage));
         workspace.solve(grids, warm, |k, forcing| {
             grids[k].set_forcing(inward, 0.0, forcing);
-            for (slip, more) in forcing.slip.iter_mut().zip(&more[k]) {
-                *slip = [slip[0] + more[0], slip[1] + more[1]];
-            }
+            forcing.add(&more[k]);
         });
         let [coarse, fine] = workspace.sums(grids, 0.0);
         let forces = [coarse.force, fine.force];
@@ -274,15 +283,6 @@ struct Answer {
     dissipation: f64,
     /// What the tractions of the finer grid's elements give of it.
     by_elements: f64,
-}
-
-/// Power of the tractions of a grid on creepages that are added in each element.
-fn work_of(shares: &[f64], state: &State, more: &[[f64; 2]]) -> f64 {
-    let parts = shares.iter().zip(more).enumerate().map(|(element, (share, [x, y]))| {
-        let [p, q] = state.traction.at(element);
-        share * (p * x + q * y)
-    });
-    parts.sum()
 }
 
 /// Tractions of a solved contact, from which one close by may start: [`NonHertzian::solve_near`].
@@ -464,7 +464,11 @@ impl Solved for NonHertzianSolved<'_> {
     }
 
     fn diagnostics(&self) -> Vec<Diagnostic> {
-        error_bars_and_elements(self.answer.solution.error, self.theory.elements())
+        error_bars_and_elements(
+            &self.theory.contact,
+            self.answer.solution.error,
+            self.theory.elements(),
+        )
     }
 }
 

@@ -23,12 +23,8 @@ pub(super) struct Mirror {
 }
 
 impl Mirror {
-    /// Friction that differs across the contact leaves none of the symmetries.
     fn in_contact(contact: &Contact, creepage: Creepage) -> Self {
-        match contact.rolling_friction().and_then(|friction| friction.by_place()) {
-            Some(_) => Self { x: 1.0, y: 1.0 },
-            None => Self::of(creepage),
-        }
+        if is_symmetric(contact) { Self::of(creepage) } else { Self { x: 1.0, y: 1.0 } }
     }
 
     pub(super) fn of(creepage: Creepage) -> Self {
@@ -95,6 +91,7 @@ impl Answer {
         let mirrored = mirror.creepage(creepage);
         workspace.solve(&exact.grids, warm, |k, forcing| {
             exact.grids[k].set_forcing(mirrored, mirror.x, forcing);
+            forcing.add(&exact.added[k]);
         });
         let [coarse, fine] = workspace.sums(&exact.grids, mirror.x);
         let extrapolation = Extrapolation::new(&exact.contact, mirrored);
@@ -102,8 +99,14 @@ impl Answer {
         let force = mirror.force(extrapolation.force(forces));
         let force = without_rounding(&exact.contact, creepage, force);
         let error = extrapolation.error_bar(forces, exact.grids[1].mesh.len());
-        let power = power_of(force, creepage) + extrapolate(coarse.by_pressure, fine.by_pressure);
-        let dissipation = dissipation::dissipation(power, &fine, power_of(fine.force, mirrored));
+        let states = workspace.states();
+        let [on_coarse, on_fine] = [0, 1]
+            .map(|k: usize| work_of(&exact.grids[k].pressure.shares, states[k], &exact.added[k]));
+        let power = power_of(force, creepage)
+            + extrapolate(coarse.by_pressure, fine.by_pressure)
+            + extrapolate(on_coarse, on_fine);
+        let work = power_of(fine.force, mirrored) + on_fine;
+        let dissipation = dissipation::dissipation(power, &fine, work);
         let by_elements = fine.dissipation;
         let solution = workspace.solution(force, error);
         Self { creepage, mirror, extrapolation, forces, solution, power, dissipation, by_elements }
@@ -139,16 +142,34 @@ impl Answer {
 fn without_rounding(contact: &Contact, creepage: Creepage, force: Force) -> Force {
     let vanish = |components: &[f64]| components.iter().all(|component| *component == 0.0);
     let Creepage { xi, eta, chi } = creepage;
-    let differs_across =
-        contact.rolling_friction().is_some_and(|friction| friction.by_place().is_some());
     let mut force = force;
-    if vanish(&[eta, chi]) && !differs_across {
+    if !is_symmetric(contact) {
+        return force;
+    }
+    if vanish(&[eta, chi]) {
         (force.fy, force.mz) = (0.0, 0.0);
     }
-    if vanish(&[xi, contact.kappa_over_mu()]) && !differs_across {
+    if vanish(&[xi, contact.kappa_over_mu()]) {
         force.fx = 0.0;
     }
     force
+}
+
+/// Whether the contact has the symmetries (4.22)-(4.28): friction that differs across it, or a slip beside creepage
+/// and spin, leave none of them.
+fn is_symmetric(contact: &Contact) -> bool {
+    let differs_across =
+        contact.rolling_friction().is_some_and(|friction| friction.by_place().is_some());
+    !differs_across && contact.added_slip().is_none()
+}
+
+/// Power of the tractions of a grid on slips that are added in each element.
+pub(super) fn work_of(shares: &[f64], state: &State, more: &[[f64; 2]]) -> f64 {
+    let parts = shares.iter().zip(more).enumerate().map(|(element, (share, [x, y]))| {
+        let [p, q] = state.traction.at(element);
+        share * (p * x + q * y)
+    });
+    parts.sum()
 }
 
 pub(super) fn power_of(Force { fx, fy, mz }: Force, Creepage { xi, eta, chi }: Creepage) -> f64 {
@@ -306,8 +327,10 @@ impl Solved for ExactSolved<'_> {
 
     fn diagnostics(&self) -> Vec<Diagnostic> {
         let elements = self.exact.grids[1].mesh.len();
-        let mut diagnostics = error_bars_and_elements(self.answer.solution.error, elements);
-        let kappa_over_mu = self.exact.contact.kappa_over_mu();
+        let contact = &self.exact.contact;
+        let mut diagnostics =
+            error_bars_and_elements(contact, self.answer.solution.error, elements);
+        let kappa_over_mu = contact.kappa_over_mu();
         if kappa_over_mu != 0.0 {
             let (key, label) = ("kappa_over_mu", "unlike bodies, kappa/mu");
             diagnostics.push(Diagnostic { key, label, value: kappa_over_mu });
@@ -316,14 +339,22 @@ impl Solved for ExactSolved<'_> {
     }
 }
 
-/// What the full theory says on any contact: its error bars, and how many elements it took.
-pub(super) fn error_bars_and_elements(error: Option<Force>, elements: usize) -> Vec<Diagnostic> {
+/// What the full theory says on any contact: its error bars, how many elements it took, and the largest slip that is
+/// added from place to place, where one is.
+pub(super) fn error_bars_and_elements(
+    contact: &Contact,
+    error: Option<Force>,
+    elements: usize,
+) -> Vec<Diagnostic> {
     let error = error.unwrap_or_default();
     let diagnostic = |key, label, value| Diagnostic { key, label, value };
-    vec![
+    let slip = contact.added_slip();
+    let slip = slip.map(|slip| diagnostic("added_slip", "added slip, largest", slip.largest()));
+    let all = [
         diagnostic("fx_error", "error bar of f_x", error.fx),
         diagnostic("fy_error", "error bar of f_y", error.fy),
         diagnostic("mz_error", "error bar of m_z", error.mz),
         diagnostic("elements", "elements", elements as f64),
-    ]
+    ];
+    all.into_iter().chain(slip).collect()
 }

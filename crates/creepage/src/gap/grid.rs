@@ -22,17 +22,7 @@ pub(super) struct Grid {
 impl Grid {
     pub(super) fn new(points: &[[f64; 3]]) -> Result<Self, GapError> {
         const NEEDED: usize = 3;
-        let column = |k: usize| points.iter().map(|point| point[k]).collect::<Vec<f64>>();
-        for (k, quantity) in ["x", "y", "gap"].into_iter().enumerate() {
-            all_finite(quantity, &column(k))?;
-        }
-        let (x, y) = (distinct(column(0)), distinct(column(1)));
-        for (quantity, count) in [("x", x.len()), ("y", y.len())] {
-            if count < NEEDED {
-                return Err(GapError::TooFew { quantity, count, needed: NEEDED });
-            }
-        }
-        let values = placed(points, &x, &y)?;
+        let (x, y, values) = in_rows(points, "gap", NEEDED)?;
         Ok(Self::of(x, y, &values))
     }
 
@@ -70,6 +60,27 @@ impl Grid {
     pub(super) fn y(&self) -> &[f64] {
         &self.y
     }
+}
+
+/// The points `[x, y, value]` of a rectangular grid, given in any order: its `x`, its `y`, and its values in rows of
+/// one `y`; at least `needed` different ones of each coordinate. `quantity` names the values in errors.
+pub(crate) fn in_rows(
+    points: &[[f64; 3]],
+    quantity: &'static str,
+    needed: usize,
+) -> Result<(Vec<f64>, Vec<f64>, Vec<f64>), GapError> {
+    let column = |k: usize| points.iter().map(|point| point[k]).collect::<Vec<f64>>();
+    for (k, quantity) in ["x", "y", quantity].into_iter().enumerate() {
+        all_finite(quantity, &column(k))?;
+    }
+    let (x, y) = (distinct(column(0)), distinct(column(1)));
+    for (quantity, count) in [("x", x.len()), ("y", y.len())] {
+        if count < needed {
+            return Err(GapError::TooFew { quantity, count, needed });
+        }
+    }
+    let values = placed(points, &x, &y)?;
+    Ok((x, y, values))
 }
 
 /// Values of a coordinate, increasing; those that differ by rounding only are one.

@@ -21,6 +21,7 @@ pub use polynomial::Term;
 pub use section::Rolling;
 
 pub(crate) use cubic::Cubic;
+pub(crate) use grid::in_rows;
 
 use grid::Grid;
 use polynomial::Polynomial;

@@ -270,6 +270,7 @@ impl TheorySpec {
     /// [`TheoryError`] as of [`TheorySpec::prepare`], and for areas of any shape.
     pub fn prepare_on_ellipse(&self, contact: &Contact) -> Result<Box<dyn Theory>, TheoryError> {
         contact.hertz_ellipse()?;
+        self.check_slip(contact)?;
         Ok(match self {
             Self::Exact(options) => return options.prepare(contact),
             Self::Variational(options) => Box::new(Variational::new(contact, options.settings())?),
@@ -337,8 +338,17 @@ impl TheorySpec {
         }
     }
 
+    /// Whether the theory follows a slip from place to place, where the contact has one.
+    fn check_slip(&self, contact: &Contact) -> Result<(), TheoryError> {
+        match self {
+            Self::Exact(options) if !options.is_coupled(contact)? => Ok(()),
+            _ => Ok(contact.without_added_slip()?),
+        }
+    }
+
     fn prepare_on_areas(&self, contact: &Contact) -> Result<Box<dyn Theory>, TheoryError> {
         self.check_on_areas()?;
+        self.check_slip(contact)?;
         let usual = fastsim::Settings::default().grid;
         let simplified = |kind, grid| -> Result<Box<dyn Theory>, TheoryError> {
             Ok(Box::new(NonHertzianSimplified::on(contact, kind, grid)?))

@@ -8,10 +8,11 @@ use super::history::{Creep, Past, TimeLevel};
 use super::motion::Motion;
 use super::predictor::Predictor;
 use super::system::System;
-use crate::Force;
+use crate::added_slip::AddedSlip;
 use crate::coulomb::friction_bound::Moment;
 use crate::coulomb::grid::Grid;
 use crate::coulomb::solver::{Equations, Outcome, State};
+use crate::{Force, Scaling};
 
 /// One grid and what it remembers.
 #[derive(Debug, Clone)]
@@ -29,6 +30,8 @@ pub(crate) struct TransientLevel {
     /// Creepage of the last solution.
     pub creep: Creep,
     pub predictor: Predictor,
+    /// Rigid slip beside creepage and spin, with the units of the nominal load.
+    pub added: Option<(Arc<AddedSlip>, Scaling)>,
 }
 
 /// Stage of a step: the equations that hold.
@@ -69,6 +72,7 @@ impl TransientLevel {
             outcome: Outcome::default(),
             creep: [0.0; 3],
             predictor: Predictor::default(),
+            added: None,
         };
         track.begin(1.0);
         track
@@ -92,7 +96,7 @@ impl TransientLevel {
         let elements = &self.elements;
         let begins = stage == Stage::Shift { begins: true };
         self.grid.rounding = if begins { elements.rounding } else { 0.0 };
-        let system = match stage {
+        let mut system = match stage {
             Stage::Shift { .. } => System::of_shift(elements, &self.past.0[0]),
             Stage::Step { length, scale, smooth } => {
                 System::of_step(elements, &self.past, length, scale, smooth)
@@ -108,6 +112,13 @@ impl TransientLevel {
                 System::of_step(elements, &past, f64::INFINITY, scale, false)
             }
         };
+        if let (Some((slip, scaling)), false) = (&self.added, matches!(stage, Stage::Shift { .. }))
+        {
+            system.add_slip(elements, |place| {
+                let [x, y] = place.map(|at| scaling.length * at);
+                slip.at(x, y).map(|slip| slip / scaling.slip)
+            });
+        }
         if let Some(resistance) = &mut self.grid.resistance {
             let remembers = resistance.remembers();
             let arriving = match stage {

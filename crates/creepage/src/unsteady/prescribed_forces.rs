@@ -9,11 +9,7 @@ use super::history::Creep;
 use super::level::TransientLevel;
 use super::motion::{Motion, Prescribed};
 use crate::coulomb::friction_bound::FrictionBound;
-<<<<<<< HEAD:crates/creepage/src/unsteady/find.rs
-use crate::numerics::{broyden_update, largest_magnitude};
-=======
-use crate::numerics::{NewtonLimits, broyden_update, newton};
->>>>>>> e7729200991473961730a66a303bfce00c678564:crates/creepage/src/unsteady/prescribed_forces.rs
+use crate::numerics::{NewtonLimits, broyden_update, largest_magnitude, newton};
 
 /// Largest difference from a prescribed force, in parts of `mu N`.
 const TOLERANCE: f64 = 1e-7;

@@ -8,12 +8,13 @@ use super::level::{self, Stage, TransientLevel};
 use super::load::Course;
 use super::motion::Motion;
 use super::predictor::Predictor;
+use crate::added_slip::AddedSlip;
 use crate::check::{self, InvalidValue};
 use crate::coulomb::extrapolation::{error_bar, extrapolate, extrapolate_force};
 use crate::coulomb::{ElementField, Exact, Resolution};
 use crate::friction_law::RollingFriction;
 use crate::theory::{Solution, Statistics, Status};
-use crate::{Contact, Creepage, FieldPoint, Region};
+use crate::{Contact, Creepage, FieldPoint, Region, Scaling};
 
 /// Result of a step, dimensionless in the units of the contact's nominal load.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -91,10 +92,25 @@ impl Rolling {
         let along = along + along / 2;
         let (poisson, kappa_over_mu) = (contact.poisson(), contact.kappa_over_mu());
         let surface = Surface { friction: contact.rolling_friction(), layer: contact.layer() };
-        Ok(Self::of([1, 2].map(|k| {
+        let rolling = Self::of([1, 2].map(|k| {
             Elements::hertz(ellipse, poisson, kappa_over_mu, [k * along, k * across])
                 .with_surface(&surface, contact.scaling())
-        })))
+        }));
+        Ok(match contact.added_slip() {
+            Some(slip) => rolling.with_added_slip(slip, contact.scaling()),
+            None => rolling,
+        })
+    }
+
+    /// The same with a rigid slip beside creepage and spin, as [`Contact::with_added_slip`] has it; `scaling` is that
+    /// of the contact. It stands still in the contact while particles pass, under every load, and does nothing in a
+    /// shift.
+    #[must_use]
+    pub fn with_added_slip(mut self, slip: &Arc<AddedSlip>, scaling: Scaling) -> Self {
+        for track in &mut self.tracks {
+            track.added = Some((Arc::clone(slip), scaling));
+        }
+        self
     }
 
     pub(super) fn of(elements: [Elements; 2]) -> Self {

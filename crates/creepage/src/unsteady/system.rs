@@ -20,7 +20,7 @@ use super::rigid::{RigidMotion, RigidSlip};
 pub(crate) struct System {
     /// Of every element: points of displacement by the present tractions, and their factors.
     pub weights: Vec<[(usize, f64); 3]>,
-    /// Slip by the past and by the pressure.
+    /// Slip by the past and by the pressure, and what is added from place to place.
     past: Vec<[f64; 2]>,
     /// By a unit of creepage: the slip, and what the spin adds to `y` besides.
     present: Vec<[f64; 2]>,
@@ -65,6 +65,15 @@ impl System {
             system.present.push([unit, 0.0]);
         }
         system
+    }
+
+    /// Adds a rigid slip, by place, in the units of the nominal load: that of a step is the slip at its end, as the
+    /// differences of displacements are.
+    pub(crate) fn add_slip(&mut self, elements: &Elements, slip: impl Fn([f64; 2]) -> [f64; 2]) {
+        for (all, element) in self.past.iter_mut().zip(&elements.all) {
+            let more = slip([element.x, element.y].map(|at| self.scale * at));
+            (0..2).for_each(|k| all[k] += more[k] / self.scale);
+        }
     }
 
     /// What drives the slip of an element.

@@ -75,6 +75,7 @@ impl StaticsContact {
             angle: None,
             semi_axis_rolling: self.semi_axis_rolling,
             semi_axis_lateral: self.semi_axis_lateral,
+            slip: None,
         };
         contact.hertz(upper, lower)
     }

@@ -1,0 +1,116 @@
+//! `[contact] slip`: rigid slip from place to place, by the command.
+
+use std::fmt::Write as _;
+
+use crate::gap;
+use crate::place::{CASE, Place, json};
+
+/// A slip by place as CSV, on a grid that covers the contact.
+fn slips(slip: impl Fn(f64, f64) -> [f64; 2]) -> String {
+    let mut text = "x,y,longitudinal,lateral\n".to_owned();
+    for i in -8..=8 {
+        for j in -8..=8 {
+            let (x, y) = (f64::from(i) * 1e-3, f64::from(j) * 1e-3);
+            let [along, across] = slip(x, y);
+            writeln!(text, "{x:e},{y:e},{along:e},{across:e}").unwrap();
+        }
+    }
+    text
+}
+
+/// The full theory of an ellipse and of any shape, with a slip and without some of the creepage.
+fn cases() -> [[String; 2]; 2] {
+    let ellipse = CASE.replace("theory = \"variational\"\ndegree = 3", "resolution = \"fast\"");
+    [ellipse, gap::CASE.to_owned()].map(|whole| {
+        let rest = whole
+            .replace("longitudinal = -1.5e-3", "longitudinal = -0.5e-3")
+            .replace("friction = 0.3", "friction = 0.3\nslip = \"slip.csv\"");
+        [whole, rest]
+    })
+}
+
+fn forces(place: &Place, case: &str) -> Vec<f64> {
+    place.write("case.toml", case);
+    let report = json(&place.run(&["solve", "case.toml", "--json"]).done());
+    let names = ["longitudinal_n", "lateral_n", "moment_n_m"];
+    names.map(|name| report["lower_body"][name].as_f64().unwrap()).to_vec()
+}
+
+/// A slip that is the same everywhere is a creepage, by a file and by columns; another one is not.
+#[test]
+fn a_uniform_slip_is_a_creepage() {
+    for [whole, rest] in cases() {
+        let place = Place::new();
+        place.write("slip.csv", slips(|_, _| [-1e-3, 0.0]));
+        let [by_creepage, by_slip] = [&whole, &rest].map(|case| forces(&place, case));
+        for (one, other) in by_creepage.iter().zip(&by_slip) {
+            // Both solved to a ten millionth of mu N (24 kN), moments to that times millimetres.
+            assert!((one - other).abs() < 0.01, "{by_creepage:?} {by_slip:?}");
+        }
+        let columns = "slip = { x = [0.0], y = [0.0], longitudinal = [-1e-3], lateral = [0.0] }";
+        let inline = forces(&place, &rest.replace("slip = \"slip.csv\"", columns));
+        assert!((inline[0] - by_slip[0]).abs() < 0.01, "{inline:?}");
+        // Of a groove: more outside than inside.
+        place.write("slip.csv", slips(|_, y| [-50.0 * y * y, 0.0]));
+        let grooved = forces(&place, &rest);
+        assert!((grooved[0] - by_slip[0]).abs() > 240.0, "{grooved:?} {by_slip:?}");
+        let report = json(&place.run(&["solve", "case.toml", "--json"]).done());
+        let largest = report["details"]["added_slip"]["value"].as_f64().unwrap();
+        assert!((largest - 50.0 * 8e-3 * 8e-3).abs() < 1e-12, "{report}");
+    }
+}
+
+/// Rolling in steps goes to the steady solution, and starts from it.
+#[test]
+fn histories_have_it() {
+    for [_, rest] in cases() {
+        let place = Place::new();
+        place.write("slip.csv", slips(|x, y| [-50.0 * y * y, 0.1 * x]));
+        let steady = forces(&place, &rest);
+        let (head, tail) = (rest.find("[creepage]").unwrap(), rest.find("[solve]").unwrap());
+        let solve = rest[tail..].replace("\"fast\"", "[10, 10]");
+        let rolls = format!("{}{solve}", &rest[..head]);
+        place.write("history.csv", "distance,longitudinal,lateral,spin\n0.06,-0.5e-3,1e-3,0.2\n");
+        for start in ["none", "steady"] {
+            place.write("rolls.toml", format!("{rolls}[start]\ntraction = \"{start}\"\n"));
+            let rows = place.run(&["roll", "rolls.toml", "--history", "history.csv"]).done();
+            let last: Vec<&str> = rows.lines().last().unwrap().split(',').collect();
+            for (cell, steady) in last[7..9].iter().zip(&steady) {
+                // Few elements: a hundredth of mu N.
+                assert!((cell.parse::<f64>().unwrap() - steady).abs() < 240.0, "{rows} {steady}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_wrong_with_a_slip_is_told() {
+    let [[_, ellipse], [_, areas]] = cases();
+    for case in [&ellipse, &areas] {
+        let place = Place::new();
+        place.write("case.toml", case);
+        let solve = || place.run(&["solve", "case.toml"]);
+        solve().refused(&["[contact] slip = \"slip.csv\"", "cannot read it"]);
+        place.write("slip.csv", "x,y,longitudinal\n0,0,0\n");
+        solve().refused(&["column lateral is missing"]);
+        place.write("slip.csv", "x,y,longitudinal,lateral\n0,0,0,0\n1e-3,1e-3,0,0\n");
+        solve().refused(&["no point at"]);
+        place.write("slip.csv", "x,y,longitudinal,lateral\n0,0,fast,0\n");
+        solve().refused(&["line 2: longitudinal"]);
+        place.write("slip.csv", slips(|_, _| [1e-3, 0.0]));
+        for theory in ["fastsim", "saturated"] {
+            let other = place.run(&["solve", "case.toml", "--theory", theory]);
+            assert_eq!(other.code, Some(2), "{}", other.stderr);
+            assert!(other.stderr.contains("exact, one-way"), "{}", other.stderr);
+        }
+        // The file is read, and not written over.
+        let over = place.run(&["solve", "case.toml", "--out", "."]);
+        assert_eq!(over.code, Some(0), "{}", over.stderr);
+        assert_eq!(place.read("slip.csv"), slips(|_, _| [1e-3, 0.0]));
+    }
+    let place = Place::new();
+    place.write("case.toml", &ellipse);
+    place.write("slip.csv", slips(|_, _| [1e-3, 0.0]));
+    let rows = place.run_on(&["batch", "--case", "case.toml"], "longitudinal\n0.01\n");
+    rows.refused(&["slip is for one case at a time"]);
+}
