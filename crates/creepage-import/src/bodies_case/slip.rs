@@ -1,6 +1,6 @@
 //! Rigid slip that is added element by element (E), as a case file has it.
 
-use super::{Cause, Geometry, Pressed};
+use super::{Cause, Geometry, LoadOrApproach};
 use crate::bodies::Bodies;
 use crate::read::Materials;
 use crate::text::list;
@@ -9,7 +9,7 @@ use crate::text::list;
 pub(super) fn added_slip(
     case: &Bodies,
     materials: &Materials,
-    (geometry, pressed): (&Geometry, Pressed),
+    (geometry, pressed): (&Geometry, LoadOrApproach),
     turned: bool,
 ) -> Result<Option<String>, Cause> {
     let Some(slips) = &case.added_slip else { return Ok(None) };
