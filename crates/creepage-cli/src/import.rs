@@ -60,7 +60,7 @@ fn tell(imported: &Imported) {
                 }
             }
             Err(cause) => {
-                say(&format!("{} (line {}) is not written: {cause}", case.name, case.line))
+                say(&format!("{} (line {}) is not written: {cause}", case.name, case.line));
             }
         }
     }

@@ -838,6 +838,40 @@ int32_t creepage_theory_force(const struct CreepageTheory *theory,
                               size_t message_size);
 
 /*
+ Rolls a wheelset in steps through a table of positions: its contacts remember their tractions. The numbers of
+ `creepage roll` with a wheelset file, to the last bit. The theory is "exact", and the pitch rate given.
+
+ start: 0 without traction, 1 as if the first row's motion had always been, -1 as the file says.
+ count: number of columns.
+ names: their names: distance (m), which is needed and rises from row to row; s (m) and pitch (rad), where surfaces
+   vary along rolling; wheel_load (N) of one wheel; y, z (m), roll, yaw (rad), axle_load (N), roll_moment (N m),
+   speed (m/s), pitch_rate (rad/s), lateral_velocity, vertical_velocity (m/s), roll_rate, yaw_rate (rad/s). An
+   unknown name is CREEPAGE_TEXT. What is left out is the file's own.
+ rows: number of rows. A row's motion acts from the distance of the row before, or zero, to its own.
+ values: rows times count numbers, row by row; NaN where the file's own holds.
+ found: room for rows times 19 numbers: distance (m); of the left wheel the force on its rail in track axes, x
+   forward, y right, z down (N), the sum of normal forces (N), the peak pressure (Pa), the number of contacts and
+   the share of their area that adheres; the same of the right wheel; how many contacts appeared, vanished, split
+   and joined in this row. NaN for a side that is not solved.
+ statuses: room for rows numbers, CREEPAGE_SOLVED and so on.
+
+ Where a row cannot be solved the message names it, and the rows before it are written.
+
+ You promise:
+ The handle is alive; each of the names ends with a zero byte; arrays and message point to as much room as said.
+ */
+int32_t creepage_wheelset_roll(const struct CreepageWheelset *made,
+                               int32_t start,
+                               size_t count,
+                               const char *const *names,
+                               size_t rows,
+                               const double *values,
+                               double *found,
+                               int32_t *statuses,
+                               char *message,
+                               size_t message_size);
+
+/*
  Reads a wheelset file and keeps it.
 
  path: the file, in TOML, its profiles beside it; or the text of one, if it has a line break.

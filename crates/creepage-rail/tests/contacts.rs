@@ -98,10 +98,11 @@ fn cone_on_a_crown() {
 /// A side of 60 degrees with a round flange on it, both with their origins in the middle of the track; with a dent above
 /// the contact whose wall overhangs, or without.
 fn side(dented: bool) -> WheelsetOnTrack {
+    let on_side = |y: f64| [y, 24.0 - (y + 30.0) * 3f64.sqrt()];
     let (foot, dent, head) = (
-        [[-30.0, 24.0]],
-        [[-24.0, 13.607_695], [-22.0, 14.2], [-22.9, 11.702_406]],
-        [[-20.0, 6.679_492], [0.0, 0.0], [30.0, 5.0]],
+        [on_side(-30.0)],
+        [on_side(-24.0), [-22.0, 14.2], on_side(-22.9)],
+        [on_side(-20.0), [0.0, 0.0], [30.0, 5.0]],
     );
     let dent = dent.iter().filter(|_| dented);
     let points: Vec<[f64; 2]> =
@@ -110,7 +111,8 @@ fn side(dented: bool) -> WheelsetOnTrack {
     let rail = Profile::through(Role::Rail, &points, &corners).unwrap();
     // Of radius 20 mm, touching the side at y = -27 mm.
     let (sin, cos) = (60f64.to_radians().sin(), 60f64.to_radians().cos());
-    let centre = [-27.0 - 20.0 * sin, 18.803_848 - 20.0 * cos].map(|at| at * MM);
+    let [y, z] = on_side(-27.0);
+    let centre = [y - 20.0 * sin, z - 20.0 * cos].map(|at| at * MM);
     let at = |degrees: f64| {
         let (sin, cos) = degrees.to_radians().sin_cos();
         [centre[0] + 0.02 * cos, centre[1] + 0.02 * sin]

@@ -32,8 +32,8 @@ impl AddedSlip {
     /// [`GapError`] for numbers that are not finite, no points, and points that are no such grid.
     pub fn new(points: &[[f64; 4]]) -> Result<Self, GapError> {
         let part = |k: usize| -> Vec<_> { points.iter().map(|p| [p[0], p[1], p[k]]).collect() };
-        let (x, y, along) = in_rows(&part(2), "longitudinal", 1)?;
-        let (_, _, across) = in_rows(&part(3), "lateral", 1)?;
+        let [x, y, along] = in_rows(&part(2), "longitudinal", 1)?;
+        let [_, _, across] = in_rows(&part(3), "lateral", 1)?;
         let slips = along.into_iter().zip(across).map(|(along, across)| [along, across]).collect();
         Ok(Self { x, y, slips })
     }
@@ -73,6 +73,8 @@ fn between(values: &[f64], at: f64) -> [(usize, f64); 2] {
 }
 
 #[cfg(test)]
+// What stands at a point, or beyond the last one, is given back as it is.
+#[allow(clippy::float_cmp)]
 mod tests {
     use super::*;
 

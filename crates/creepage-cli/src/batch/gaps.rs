@@ -40,8 +40,10 @@ const COLUMNS: [(&str, &str); 15] = [
     ("frictional_power_per_metre_j_per_m", "frictional_power_per_metre_j_per_m"),
     ("frictional_power_w", "frictional_power_w"),
 ];
+/// A column, and what it holds of the temperatures.
+type HeatColumn = (&'static str, fn(&Heat) -> f64);
 /// The same where temperatures are wanted.
-const HEAT: [(&str, fn(&Heat) -> f64); 2] = [
+const HEAT: [HeatColumn; 2] = [
     ("contact_temperature_max_c", |heat| heat.contact_temperature_max_c),
     ("flash_max_k", |heat| heat.flash_max_k),
 ];
@@ -149,7 +151,7 @@ impl Gaps {
     }
 
     /// Columns of temperatures, where the case asks for them.
-    fn heat_columns(&self) -> impl Iterator<Item = (&'static str, fn(&Heat) -> f64)> {
+    fn heat_columns(&self) -> impl Iterator<Item = HeatColumn> {
         HEAT.into_iter().filter(|_| self.rows.has_heat())
     }
 

@@ -22,7 +22,7 @@ pub(super) struct Grid {
 impl Grid {
     pub(super) fn new(points: &[[f64; 3]]) -> Result<Self, GapError> {
         const NEEDED: usize = 3;
-        let (x, y, values) = in_rows(points, "gap", NEEDED)?;
+        let [x, y, values] = in_rows(points, "gap", NEEDED)?;
         Ok(Self::of(x, y, &values))
     }
 
@@ -68,7 +68,7 @@ pub(crate) fn in_rows(
     points: &[[f64; 3]],
     quantity: &'static str,
     needed: usize,
-) -> Result<(Vec<f64>, Vec<f64>, Vec<f64>), GapError> {
+) -> Result<[Vec<f64>; 3], GapError> {
     let column = |k: usize| points.iter().map(|point| point[k]).collect::<Vec<f64>>();
     for (k, quantity) in ["x", "y", quantity].into_iter().enumerate() {
         all_finite(quantity, &column(k))?;
@@ -80,7 +80,7 @@ pub(crate) fn in_rows(
         }
     }
     let values = placed(points, &x, &y)?;
-    Ok((x, y, values))
+    Ok([x, y, values])
 }
 
 /// Values of a coordinate, increasing; those that differ by rounding only are one.
