@@ -11,7 +11,7 @@ use super::inverse::{Resolve, search};
 use super::mesh::Strip;
 use super::patch_mesh::{Bands, Frame};
 use super::resolution::Resolution;
-use super::solution::{error_bars_and_elements, power_of, quarters, work_of};
+use super::solution::{error_bars_and_elements, power_of, quarters};
 use super::workspace::{Pool, Workspace};
 use super::{Constraints, InverseError};
 use crate::added_slip::AddedSlip;
@@ -228,8 +228,7 @@ impl NonHertzian {
             solution.status = Status::SeveralSolutions;
         }
         let states = workspace.states();
-        let [on_coarse, on_fine] =
-            [0, 1].map(|k: usize| work_of(&grids[k].pressure.shares, states[k], &more[k]));
+        let [on_coarse, on_fine] = [0, 1].map(|k: usize| states[k].work(&grids[k], &more[k]));
         let power = power_of(force, creepage) + extrapolate(on_coarse, on_fine);
         let work = power_of(fine.force, inward) + on_fine;
         let dissipation = dissipation::dissipation(power, &fine, work);

@@ -100,8 +100,8 @@ impl Answer {
         let force = without_rounding(&exact.contact, creepage, force);
         let error = extrapolation.error_bar(forces, exact.grids[1].mesh.len());
         let states = workspace.states();
-        let [on_coarse, on_fine] = [0, 1]
-            .map(|k: usize| work_of(&exact.grids[k].pressure.shares, states[k], &exact.added[k]));
+        let [on_coarse, on_fine] =
+            [0, 1].map(|k: usize| states[k].work(&exact.grids[k], &exact.added[k]));
         let power = power_of(force, creepage)
             + extrapolate(coarse.by_pressure, fine.by_pressure)
             + extrapolate(on_coarse, on_fine);
@@ -161,15 +161,6 @@ fn is_symmetric(contact: &Contact) -> bool {
     let differs_across =
         contact.rolling_friction().is_some_and(|friction| friction.by_place().is_some());
     !differs_across && contact.added_slip().is_none()
-}
-
-/// Power of the tractions of a grid on slips that are added in each element.
-pub(super) fn work_of(shares: &[f64], state: &State, more: &[[f64; 2]]) -> f64 {
-    let parts = shares.iter().zip(more).enumerate().map(|(element, (share, [x, y]))| {
-        let [p, q] = state.traction.at(element);
-        share * (p * x + q * y)
-    });
-    parts.sum()
 }
 
 pub(super) fn power_of(Force { fx, fy, mz }: Force, Creepage { xi, eta, chi }: Creepage) -> f64 {

@@ -346,6 +346,17 @@ impl State {
         sum
     }
 
+    /// Power of the tractions on slips that are given element by element, or on none: of each element its force, by the
+    /// quadrature that makes up the whole one, so that an even slip is a creepage to rounding.
+    pub(crate) fn work(&self, grid: &Grid, slips: &[[f64; 2]]) -> f64 {
+        let of_element = |(element, [x, y]): (usize, &[f64; 2])| {
+            let mut sum = Sum::default();
+            grid.quadrature.add(self.fields(), element, self.slides(element), &mut sum);
+            sum.force.fx * x + sum.force.fy * y
+        };
+        slips.iter().enumerate().map(of_element).sum()
+    }
+
     /// Frictional power of one element.
     pub(crate) fn power(&self, grid: &Grid, element: usize) -> f64 {
         let mut sum = Sum::default();
