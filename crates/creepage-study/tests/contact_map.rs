@@ -280,8 +280,8 @@ fn wrong_plans_are_refused() {
 /// The whole map, and a thousand fresh states beside `fastsim`, `fastrip` and ellipses of equal area: minutes to hours.
 /// `CREEPAGE_WHEELSET` names the wheelset file (else that of this test), `CREEPAGE_ELLIPSES` a table of `exact` over a/b
 /// from .15 to 30, `CREEPAGE_MAP` the file that the map is read from or written to, `CREEPAGE_STATES` how many states,
-/// `CREEPAGE_Y` the largest lateral position (m). The bounds are what is aimed at; tangential forces where areas join are
-/// not within them yet.
+/// `CREEPAGE_SEED` which draw of them, `CREEPAGE_Y` the largest lateral position (m). The bounds are what is aimed at;
+/// tangential forces where areas join are not within them yet.
 ///
 ///     CREEPAGE_MAP=map.nc CREEPAGE_ELLIPSES=exact.nc cargo test --release -p creepage-study --test contact_map \
 ///         thousand_states -- --ignored --nocapture
@@ -324,7 +324,8 @@ fn a_whole_map_on_a_thousand_states() {
     let count = std::env::var("CREEPAGE_STATES").ok().and_then(|n| n.parse().ok()).unwrap_or(1000);
     let widest = std::env::var("CREEPAGE_Y").ok().and_then(|y| y.parse().ok()).unwrap_or(6.1e-3);
     let theories = ["exact", "fastsim", "fastrip"];
-    let mut random = Random(1000);
+    let seed = std::env::var("CREEPAGE_SEED").ok().and_then(|n| n.parse().ok()).unwrap_or(1000);
+    let mut random = Random(seed);
     let mut all: Vec<(bool, [f64; 6])> = Vec::new();
     while all.len() < count {
         let y = widest * random.next();

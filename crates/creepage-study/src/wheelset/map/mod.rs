@@ -88,17 +88,21 @@ impl MapResolution {
 impl MapPlan {
     /// Largest roll (rad) beyond that of a wheelset that rolls freely.
     const ROLL: f64 = 1e-3;
-    /// Loads of the nodes over the usual load of a wheel.
-    const LOADS: [f64; 5] = [0.12, 0.4, 0.8, 1.4, 2.4];
+    /// Lightest and heaviest load of the nodes, over the usual load of a wheel.
+    const LOADS: [f64; 2] = [0.12, 2.4];
+    /// Number of loads, in even steps of their logarithm, along which forces are blended.
+    const LOAD_COUNT: i32 = 6;
 
     /// The usual plan for wheels that carry `load` (N) each.
     #[must_use]
     pub fn usual(load: f64) -> Self {
+        let [light, heavy] = Self::LOADS;
+        let step = (heavy / light).powf(1.0 / f64::from(Self::LOAD_COUNT - 1));
         Self {
             // On the flange shifts by roll and yaw no longer tell the load: its error says how far.
             y: 6.2e-3,
             yaw: 0.01,
-            loads: Self::LOADS.iter().map(|part| part * load).collect(),
+            loads: (0..Self::LOAD_COUNT).map(|k| load * light * step.powi(k)).collect(),
             friction: [0.05, 0.6],
             tolerance: 0.01,
             widths: [0.4e-3, 0.05e-3],
