@@ -18,7 +18,7 @@ use crate::output::{print, say, say_written, to_json};
 /// `creepage solve`: one file after the other.
 pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
     if args.more.is_empty() {
-        return solve_one(args, &Sources::new([&args.case]));
+        return solve_one(args, &sources_of(&args.case));
     }
     let cases: Vec<_> = [&args.case].into_iter().chain(&args.more).collect();
     let mut sources = Sources::default();

@@ -136,7 +136,7 @@ fn usual_end(gains: [f64; 3], vary: Component, creepage: Creepage) -> f64 {
 /// Linear theory's force by each component alone; of the spin the lateral one.
 fn gains(args: &CurveArgs, contact: &Contact, creepage: Creepage) -> Result<[f64; 3], Failure> {
     let linear = TheorySpec::Linear(NoOptions {})
-        .prepare(contact)
+        .prepare(&contact.without_added_slip())
         .map_err(|source| Failure::Solve { path: args.case.clone(), source: source.into() })?;
     let [along, across, _] = linear.jacobian(creepage).unwrap_or_default();
     Ok([along[0], across[1], across[2]])

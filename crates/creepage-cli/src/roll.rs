@@ -40,7 +40,9 @@ pub(crate) fn run(args: &RollArgs) -> Result<Outcome, Failure> {
         None => to_stdout(&mut run).map_err(|error| error.placed(&args.history))?,
         Some(directory) => {
             sources.ensure_not_overwritten(&directory.join(HistoryWriter::NAME))?;
-            let texts = [&texts[0][..], &texts[1][..]];
+            // The case's own files count too: their numbers are in it.
+            let words = format!("{}\0{case:?}", texts[0]);
+            let texts = [&words[..], &texts[1][..]];
             let writer =
                 HistoryWriter::open(directory, texts, &mut run)?.map_err(wrong(directory))?;
             let bar = bar(history.rows.len(), &run);

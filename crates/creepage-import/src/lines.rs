@@ -15,6 +15,8 @@ struct Line {
     /// Its number in the file, from 1.
     number: usize,
     tokens: Vec<Token>,
+    /// Whether the word that ends its values is a number that is not finite.
+    has_odd_number: bool,
     /// What it says, without comments behind `%`.
     text: String,
 }
@@ -30,7 +32,8 @@ impl Lines {
     pub(crate) fn new(text: &str) -> Self {
         let lines = text.lines().enumerate().filter_map(|(index, line)| {
             let text = without_comment(line).trim();
-            let line = Line { number: index + 1, tokens: tokens(text), text: text.into() };
+            let (tokens, has_odd_number) = tokens(text);
+            let line = Line { number: index + 1, tokens, has_odd_number, text: text.into() };
             (!text.is_empty()).then_some(line)
         });
         Self { lines: lines.collect(), next: 0 }
@@ -76,7 +79,9 @@ impl Lines {
                 Token::Number(number) => Some(*number),
                 Token::Name(_) => None,
             }));
-            if values.len() == before {
+            // Words behind numbers are a comment, but for one that is to be a number.
+            let is_number = values.len() >= count || !line.has_odd_number;
+            if values.len() == before || !is_number {
                 return Err(self.expected(&expected()));
             }
             self.next += 1;
@@ -153,19 +158,22 @@ fn without_comment(line: &str) -> &str {
     line
 }
 
-fn tokens(text: &str) -> Vec<Token> {
+/// The values of a line, and whether the word that ends them is a number that is not finite.
+fn tokens(text: &str) -> (Vec<Token>, bool) {
     let (mut found, mut rest) = (Vec::new(), text);
     loop {
         rest = rest.trim_start_matches(|c: char| c.is_whitespace() || c == ',');
         if let Some(quoted) = rest.strip_prefix('\'') {
-            let Some(end) = quoted.find('\'') else { return found };
+            let Some(end) = quoted.find('\'') else { return (found, false) };
             found.push(Token::Name(quoted[..end].trim().into()));
             rest = &quoted[end + 1..];
             continue;
         }
         let end = rest.find(|c: char| c.is_whitespace() || c == ',').unwrap_or(rest.len());
         let (word, after) = rest.split_at(end);
-        let Some((times, value)) = repeated(word) else { return found };
+        let Some((times, value)) = repeated(word) else {
+            return (found, word.parse::<f64>().is_ok_and(|value| !value.is_finite()));
+        };
         found.extend(std::iter::repeat_n(Token::Number(value), times));
         rest = after;
     }

@@ -54,6 +54,12 @@ impl AddedSlip {
         sum
     }
 
+    /// First and last place of its points along `x` and along `y` (m).
+    #[must_use]
+    pub fn extent(&self) -> [[f64; 2]; 2] {
+        [&self.x, &self.y].map(|places| [places[0], places[places.len() - 1]])
+    }
+
     /// The largest size of the slip.
     #[must_use]
     pub fn largest(&self) -> f64 {

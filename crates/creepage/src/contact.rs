@@ -189,14 +189,20 @@ impl Contact {
         slip.at(x, y).map(|slip| slip / self.scaling.slip)
     }
 
-    /// For a theory that knows one creepage and spin.
+    /// The same contact with creepage and spin alone.
+    #[must_use]
+    pub fn without_added_slip(&self) -> Self {
+        Self { added_slip: None, ..self.clone() }
+    }
+
+    /// For a theory that has one creepage and spin.
     ///
     /// # Errors
     /// [`InvalidValue`] with a rigid slip beside them.
-    pub(crate) fn without_added_slip(&self) -> Result<(), InvalidValue> {
+    pub(crate) fn require_no_added_slip(&self) -> Result<(), InvalidValue> {
         let largest = self.added_slip.as_ref().map_or(0.0, |slip| slip.largest());
-        let valid = "left out: this theory knows one creepage and spin for the whole contact; exact, one-way, follows \
-                     a slip from place to place";
+        let valid = "zero in this theory, which has one creepage and spin for the whole contact; exact, without \
+                     coupling, has a slip from place to place";
         check::require(self.added_slip.is_none(), "added slip", largest, valid).map(drop)
     }
 

@@ -28,6 +28,7 @@ use tally::Tally;
 
 use crate::batch_args::BatchArgs;
 use crate::failure::Failure;
+use crate::input::sources_of;
 use crate::input::{is_wheelset, read_any, read_table};
 use crate::outcome::Outcome;
 use crate::output::say;
@@ -119,8 +120,8 @@ fn write_answers<A>(
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
     if let Some(out) = &args.out {
         // The rows may: they come back with more columns.
-        Sources::new([&args.case, &args.table].into_iter().flatten())
-            .ensure_not_overwritten(out)?;
+        let read = args.case.as_deref().map(sources_of).unwrap_or_default();
+        read.with(&Sources::new(&args.table)).ensure_not_overwritten(out)?;
     }
     let mut sink = Sink::open(args.out.as_deref()).map_err(failed)?;
     sink.write_all(&table.comments).map_err(failed)?;

@@ -118,6 +118,14 @@ pub enum CaseError {
         "[contact] slip is for one case at a time: leave it out for rows of many, or solve each file"
     )]
     SlipOfRows,
+    /// A rigid slip from place to place where numbers follow from creepage and spin alone.
+    #[error(
+        "[contact] slip with [{section}]: {section} is computed by creepage and spin alone; leave out one of the two"
+    )]
+    SlipWith {
+        /// The section.
+        section: &'static str,
+    },
     /// Temperatures of many rows at once.
     #[error(
         "[heat] is for one case at a time: leave it out for rows of many; rows of a case with [gap] have temperatures"

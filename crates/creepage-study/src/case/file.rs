@@ -227,7 +227,7 @@ impl CaseFile {
         let sections = self.sections();
         let PressedBodies { hertz, friction, contact, speed } = sections.touching()?;
         let contact = match &self.contact.slip {
-            Some(slip) => contact.with_added_slip(slip.read(directory)?),
+            Some(slip) => contact.with_added_slip(slip.read(directory, self.by_creepage_alone())?),
             None => contact,
         };
         let scaling = contact.scaling();
@@ -261,6 +261,11 @@ impl CaseFile {
     pub fn sources(&self, directory: &Path) -> Sources {
         let slip = self.contact.slip.as_ref();
         Sources::new(slip.and_then(|slip| slip.file(directory)))
+    }
+
+    /// Sections whose numbers follow from creepage and spin, and whether the file has them.
+    fn by_creepage_alone(&self) -> [(&'static str, bool); 2] {
+        [("damage", self.damage.is_some()), ("heat", self.heat.is_some())]
     }
 
     /// Whether the rigid slip differs from place to place.

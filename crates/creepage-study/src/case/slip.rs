@@ -19,8 +19,16 @@ pub(crate) struct SlipPoints(Points);
 const COLUMNS: [&str; 4] = ["x", "y", "longitudinal", "lateral"];
 
 impl SlipPoints {
-    /// The slip; a file of points stands in `directory`.
-    pub(crate) fn read(&self, directory: &Path) -> Result<Arc<AddedSlip>, CaseError> {
+    /// The slip; a file of points stands in `directory`. Of the sections that go by creepage and spin alone, those
+    /// that the case has.
+    pub(crate) fn read(
+        &self,
+        directory: &Path,
+        others: impl IntoIterator<Item = (&'static str, bool)>,
+    ) -> Result<Arc<AddedSlip>, CaseError> {
+        if let Some((section, _)) = others.into_iter().find(|(_, is_given)| *is_given) {
+            return Err(CaseError::SlipWith { section });
+        }
         let told = |why: String| CaseError::Slip { points: self.0.shape("slip"), why };
         let columns =
             self.0.read(directory, &COLUMNS, &[]).map_err(|error| told(error.to_string()))?;

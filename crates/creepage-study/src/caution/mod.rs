@@ -52,6 +52,13 @@ pub enum Caution {
         /// By how much it is stiffer in truth than where each place shears by itself, about.
         stiffer: f64,
     },
+    /// The contact reaches beyond the points of a rigid slip that is added from place to place.
+    SlipBeyond {
+        /// Along which axis.
+        along: &'static str,
+        /// How far, over the contact's length there.
+        share: f64,
+    },
     /// Pressure and contact area are taken to be Hertz's, though what tractions change about them matters.
     OneWay {
         /// By how much that may move the force, in parts of `mu N`.

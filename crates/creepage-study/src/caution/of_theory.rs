@@ -39,6 +39,7 @@ impl Caution {
         });
         let [friction, layer] = Self::between_surfaces(theory, contact);
         let all = [status, dissimilar, one_way, friction, layer, accuracy].into_iter().flatten();
+        let all = all.chain(Self::slip_beyond(contact));
         all.chain(contact.areas().into_iter().flat_map(|areas| Self::of_areas(areas))).collect()
     }
 
@@ -79,6 +80,22 @@ impl Caution {
             None => contact.scaling().length * contact.ellipse().minor() / contact.ellipse().c(),
         };
         Self::thick_beside(layer, half_width)
+    }
+
+    /// Part of the contact's length from which its reach beyond the points of an added slip is named.
+    const BEYOND: f64 = 0.01;
+
+    /// Where the contact reaches beyond the points of an added slip; one value along an axis holds all along it.
+    fn slip_beyond(contact: &Contact) -> impl Iterator<Item = Self> {
+        let reach = contact.added_slip().map(|slip| (slip.extent(), extent(contact)));
+        reach.into_iter().flat_map(|(points, areas)| {
+            let pairs = ["x", "y"].into_iter().zip(points.into_iter().zip(areas));
+            pairs.filter_map(|(along, ([first, last], [low, high]))| {
+                let beyond = (first - low).max(high - last) / (high - low);
+                let named = last > first && beyond > Self::BEYOND;
+                named.then_some(Self::SlipBeyond { along, share: beyond })
+            })
+        })
     }
 
     /// A layer that is not thin beside a half-width (m).
@@ -138,6 +155,20 @@ impl Caution {
 }
 
 /// The smaller half-width (m) of the area with the largest load.
+/// Extent of the contact along `x` and along `y` (m).
+fn extent(contact: &Contact) -> [[f64; 2]; 2] {
+    let Some(areas) = contact.areas() else {
+        let (ellipse, length) = (contact.ellipse(), contact.scaling().length);
+        return [ellipse.a(), ellipse.b()]
+            .map(|half| [-half, half].map(|end| end * length / ellipse.c()));
+    };
+    let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+    let union = |one: [f64; 2], other: [f64; 2]| [one[0].min(other[0]), one[1].max(other[1])];
+    let extents = areas.patches().iter().map(Patch::extent);
+    let [x, y] = extents.fold([nothing; 2], |[x, y], area| [union(x, area.x), union(y, area.y)]);
+    [x, y]
+}
+
 fn smallest_half_width(areas: &NormalContact) -> f64 {
     let largest = areas.patches().iter().max_by(|a, b| a.load().total_cmp(&b.load()));
     let size = |patch: &Patch| patch.extent().size();

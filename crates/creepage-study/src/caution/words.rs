@@ -68,6 +68,13 @@ impl fmt::Display for Caution {
                 100.0 * stiffer,
                 if share > 10.0 { " (check the unit of thickness: m)" } else { "" }
             ),
+            Self::SlipBeyond { along, share } => write!(
+                f,
+                "the contact reaches beyond the points of [contact] slip along {along}, by {} of its length there: the \
+                 slip of the last point goes on unchanged{}",
+                significant(share, 2),
+                if share > 0.5 { " (check the unit: m)" } else { "" }
+            ),
             Self::OneWay { moved } => write!(
                 f,
                 "pressure and contact area are those without friction: what tractions change about \

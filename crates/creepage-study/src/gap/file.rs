@@ -191,6 +191,7 @@ impl GapFile {
             Surface::Plane => None,
             Surface::Curved => Some(Box::new(self.gap.curved()?)),
         };
+        let others = [("damage", self.damage.is_some()), ("heat", self.heat.is_some())];
         Ok(GapCase {
             gap,
             curved,
@@ -202,7 +203,12 @@ impl GapFile {
             friction,
             rolling_friction: self.contact.friction.rolling(speed, heat)?,
             layer: self.layer.as_ref().map(LayerSection::layer).transpose()?,
-            slip: self.contact.slip.as_ref().map(|slip| slip.read(directory)).transpose()?,
+            slip: self
+                .contact
+                .slip
+                .as_ref()
+                .map(|slip| slip.read(directory, others))
+                .transpose()?,
             damage: self.damage.as_ref().map(DamageSection::wanted_without_limit).transpose()?,
             heat,
             given: SiGiven::AT_REST,

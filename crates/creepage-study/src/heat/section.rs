@@ -51,6 +51,8 @@ pub struct HeatWanted {
 }
 
 const SECTION: &str = "heat";
+/// In degrees Celsius.
+const ABSOLUTE_ZERO: f64 = -273.15;
 
 impl ThermalBody {
     fn solid(&self, body: &str) -> Result<ThermalSolid, CaseError> {
@@ -97,8 +99,11 @@ impl HeatSection {
         speed.filter(|speed| speed.abs() > 0.0).ok_or_else(missing)?;
         let solids = [self.upper.solid("upper")?, self.lower.solid("lower")?];
         let bulk = [self.upper.bulk_temperature, self.lower.bulk_temperature];
-        if let Some(value) = bulk.into_iter().find(|bulk| !bulk.is_finite()) {
-            let (quantity, valid) = ("bulk_temperature", "a finite number");
+        if let Some(value) =
+            bulk.into_iter().find(|bulk| !(ABSOLUTE_ZERO..f64::INFINITY).contains(bulk))
+        {
+            let (quantity, valid) =
+                ("bulk_temperature", "a finite number of degrees Celsius, not below -273.15");
             return Err(CaseError::invalid(SECTION)(InvalidValue { quantity, value, valid }));
         }
         Ok(HeatWanted { solids, bulk })

@@ -128,7 +128,7 @@ impl SmoothFile {
         };
         let contact = match (&own.slip, method) {
             (None, _) => contact,
-            (Some(slip), Method::Exact(_)) => contact.with_added_slip(slip.read(directory)?),
+            (Some(slip), Method::Exact(_)) => contact.with_added_slip(slip.read(directory, [])?),
             (Some(_), Method::Fastsim(_)) => {
                 return Err(HistoryError::NotOfFastsim { what: "[contact] slip" });
             }

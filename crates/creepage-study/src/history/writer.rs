@@ -36,8 +36,8 @@ impl HistoryWriter {
     /// The name of the table.
     pub const NAME: &str = "history.csv";
 
-    /// Begins the table, or goes on with the one of an earlier run of the same `texts`, those of the
-    /// case file and of the history; the run is then taken to where it was.
+    /// Begins the table, or goes on with the one of an earlier run of the same `texts`: all that tells the case, and
+    /// that of the history; the run is then taken to where it was.
     ///
     /// # Errors
     /// [`ReportError::Write`] for a directory that cannot be written to, or where other files have the

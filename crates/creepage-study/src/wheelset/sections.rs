@@ -1,5 +1,7 @@
 //! Sections of a wheelset file, as they are written.
 
+use std::f64::consts::PI;
+
 use creepage::{InvalidValue, Solid};
 use creepage_rail::Smoothing;
 use creepage_rail::file::{CornerSearch, ReadOptions};
@@ -64,12 +66,13 @@ impl CornersSection {
     fn check(self, section: &'static str) -> Result<(), CaseError> {
         let CornerSearch { turn, rest, reach } = self.search();
         for (quantity, value, is_valid) in [
-            ("reading.corners.turn", turn, turn > 0.0),
-            ("reading.corners.rest", rest, rest > 0.0),
-            ("reading.corners.reach", reach, reach >= 0.0),
+            ("reading.corners.turn", turn, turn > 0.0 && turn <= PI),
+            ("reading.corners.rest", rest, rest > 0.0 && rest <= PI),
+            ("reading.corners.reach", reach, (0.0..=0.1).contains(&reach)),
         ] {
-            let valid = "finite, and above zero but for the reach";
-            if !(is_valid && value.is_finite()) {
+            let valid =
+                "turn and rest are angles above zero, at most pi (rad); reach is at most 0.1 (m)";
+            if !is_valid {
                 return Err(CaseError::invalid(section)(InvalidValue { quantity, value, valid }));
             }
         }

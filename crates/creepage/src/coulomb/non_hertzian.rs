@@ -463,7 +463,9 @@ impl Solved for NonHertzianSolved<'_> {
     }
 
     fn diagnostics(&self) -> Vec<Diagnostic> {
+        let [_, added] = self.theory.slips(|_| [0.0; 2]);
         error_bars_and_elements(
+            &added,
             &self.theory.contact,
             self.answer.solution.error,
             self.theory.elements(),

@@ -319,8 +319,12 @@ impl Solved for ExactSolved<'_> {
     fn diagnostics(&self) -> Vec<Diagnostic> {
         let elements = self.exact.grids[1].mesh.len();
         let contact = &self.exact.contact;
-        let mut diagnostics =
-            error_bars_and_elements(contact, self.answer.solution.error, elements);
+        let mut diagnostics = error_bars_and_elements(
+            &self.exact.added[1],
+            contact,
+            self.answer.solution.error,
+            elements,
+        );
         let kappa_over_mu = contact.kappa_over_mu();
         if kappa_over_mu != 0.0 {
             let (key, label) = ("kappa_over_mu", "unlike bodies, kappa/mu");
@@ -330,17 +334,20 @@ impl Solved for ExactSolved<'_> {
     }
 }
 
-/// What the full theory says on any contact: its error bars, how many elements it took, and the largest slip that is
-/// added from place to place, where one is.
+/// What the full theory says on any contact: its error bars, how many elements it took, and the largest slip (over the
+/// rolling velocity) of those that are added element by element, where they are.
 pub(super) fn error_bars_and_elements(
+    added: &[[f64; 2]],
     contact: &Contact,
     error: Option<Force>,
     elements: usize,
 ) -> Vec<Diagnostic> {
     let error = error.unwrap_or_default();
     let diagnostic = |key, label, value| Diagnostic { key, label, value };
-    let slip = contact.added_slip();
-    let slip = slip.map(|slip| diagnostic("added_slip", "added slip, largest", slip.largest()));
+    let largest = added.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
+    let slip = contact
+        .added_slip()
+        .map(|_| diagnostic("added_slip", "added slip, largest", contact.scaling().slip * largest));
     let all = [
         diagnostic("fx_error", "error bar of f_x", error.fx),
         diagnostic("fy_error", "error bar of f_y", error.fy),

@@ -342,7 +342,7 @@ impl TheorySpec {
     fn check_slip(&self, contact: &Contact) -> Result<(), TheoryError> {
         match self {
             Self::Exact(options) if !options.is_coupled(contact)? => Ok(()),
-            _ => Ok(contact.without_added_slip()?),
+            _ => Ok(contact.require_no_added_slip()?),
         }
     }
 

@@ -116,7 +116,7 @@ impl RollingVariational {
     /// depends on the slip or the place.
     pub fn new(contact: &Contact, settings: Settings) -> Result<Self, VariationalError> {
         no_layer(contact)?;
-        contact.without_added_slip()?;
+        contact.require_no_added_slip()?;
         let valid = "one coefficient: this theory has Coulomb's law alone";
         check::require(contact.rolling_friction().is_none(), "friction law", 1.0, valid)?;
         let changing = Changing::new(contact, settings)?;

@@ -90,7 +90,7 @@ impl RollingFastsim {
     /// with a layer.
     pub fn new(contact: &Contact, settings: Settings) -> Result<Self, InvalidValue> {
         no_layer(contact)?;
-        contact.without_added_slip()?;
+        contact.require_no_added_slip()?;
         let coefficients = CreepageCoefficients::interpolated(contact)?;
         let (ellipse, [cells, across]) = (contact.ellipse(), settings.grid);
         for (name, number) in [("grid along", cells), ("grid across", across)] {
