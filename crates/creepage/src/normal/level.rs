@@ -72,13 +72,18 @@ impl ElementGrid {
         }
     }
 
-    /// Solves on the lattice of a contact close by, from pressures there.
+    /// Solves on the lattice of a contact close by, from pressures there. Bodies may touch beside that lattice alone.
     pub(super) fn warm_started(
         task: NormalProblem<'_>,
         lattice: Lattice,
         pressure: impl Fn(f64, f64) -> f64,
     ) -> Result<Self, NormalError> {
         let depths = lattice.depths(task.gap, task.approach)?;
+        let deepest = depths.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        if deepest <= 0.0 {
+            let (approach, least_gap) = (task.approach, task.approach - deepest);
+            return Err(NormalError::NoContact { approach, least_gap });
+        }
         let looked_at = vec![true; lattice.cells()];
         let columns = lattice.count[0];
         let start = |cell: usize| pressure(lattice.x(cell % columns), lattice.y(cell / columns));

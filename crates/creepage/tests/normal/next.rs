@@ -163,4 +163,7 @@ fn elements_follow_on_their_lattice() {
     // Beyond the lattice it does not follow, and where the load is another it says so.
     assert_eq!(known.follow(&gap, 60e-6), None);
     assert!(known.follow(&gap, 21e-6).is_none_or(|other| !other.keeps_error_bars()));
+    // Nor where the bodies touch beside it alone, as where a wheel has gone over to its flange.
+    let away = function([-8.0, 22.0], [-8.0, 8.0], |x, y| ((x - 15.0).powi(2) + y * y) / 600.0);
+    assert_eq!(known.follow(&away, 20e-6), None);
 }
