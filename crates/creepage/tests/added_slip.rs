@@ -186,7 +186,7 @@ fn theories_of_one_creepage_refuse_it() {
                 Ok(_) => assert_eq!(name, "exact"),
                 Err(error) => {
                     let told = error.to_string();
-                    assert!(!plain || told.contains("exact, one-way"), "{name}: {told}");
+                    assert!(!plain || told.contains("exact, without coupling"), "{name}: {told}");
                 }
             }
         }
