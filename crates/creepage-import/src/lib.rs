@@ -147,7 +147,7 @@ pub struct Case {
     pub name: String,
     /// The line at which it begins.
     pub line: usize,
-    /// The case, or why there is none.
+    /// The case file, or why it is not written.
     pub written: Result<Written, NotWritten>,
     /// What of it has no counterpart, and why.
     pub notes: Vec<String>,

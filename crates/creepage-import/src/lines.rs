@@ -243,6 +243,16 @@ mod tests {
         assert!(matches!(lines.numbers(1, "more"), Err(ImportError::End { .. })));
     }
 
+    /// A number that is not finite is no comment, behind which the next line's numbers would be taken.
+    #[test]
+    fn a_number_that_is_not_finite_is_an_error() {
+        for word in ["nan", "-inf", "Infinity", "1e400"] {
+            let mut lines = Lines::new(&format!("1.0 {word} 3.0\n0 MODULE\n"));
+            assert!(matches!(lines.numbers(3, "three"), Err(ImportError::Line { line: 1, .. })));
+        }
+        assert_eq!(Lines::new("1 2 nan\n").numbers(2, "two").unwrap(), [1.0, 2.0]);
+    }
+
     #[test]
     fn digits_count_from_the_right() {
         let mut lines = Lines::new("0203100 C-P-B-T-N-F-S");

@@ -1,4 +1,4 @@
-//! Bulk solution of many rows, each of which is a case or says why it is none: of one case in SI units, or of
+//! Bulk solution of many rows, each a case or an error: of one case in SI units, or of
 //! dimensionless contacts and creepages.
 
 use std::ops::Range;

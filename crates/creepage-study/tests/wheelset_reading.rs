@@ -97,3 +97,13 @@ fn a_profile_by_name_has_nothing_to_be_read() {
     let unknown = WheelsetFile::read(&wheel("wheel.txt", "reading = { sense = 1 }"));
     assert!(matches!(unknown, Err(CaseError::Toml(_))), "{unknown:?}");
 }
+
+/// Angles of corners in degrees, and a reach in millimetres, are refused by their range.
+#[test]
+fn corners_are_in_radians_and_metres() {
+    for wrong in ["turn = 30, rest = 0.1, reach = 2e-3", "turn = 0.5, rest = 6", "reach = 2"] {
+        let said = format!("reading = {{ corners = {{ {wrong} }} }}");
+        let refused = contact(&cone(1.0), &wheel("wheel.txt", &said)).unwrap_err().to_string();
+        assert!(refused.contains("reading.corners") && refused.contains("rad"), "{refused}");
+    }
+}

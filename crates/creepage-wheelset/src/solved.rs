@@ -217,14 +217,7 @@ impl SolvedContact {
     /// Extent of its areas along `x` and along `s` (m), from the reference point.
     #[must_use]
     pub fn extent(&self) -> [[f64; 2]; 2] {
-        let union = |one: [f64; 2], other: [f64; 2]| [one[0].min(other[0]), one[1].max(other[1])];
-        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
-        let [x, s] = self
-            .normal
-            .patches()
-            .iter()
-            .map(normal::Patch::extent)
-            .fold([nothing; 2], |[x, s], area| [union(x, area.x), union(s, area.y)]);
+        let [x, s] = self.normal.extent();
         [if self.is_reversed { [-x[1], -x[0]] } else { x }, s]
     }
 

@@ -8,7 +8,7 @@ use crate::ellipse::Ellipse;
 use crate::friction_law::RollingFriction;
 use crate::hertz::Hertz;
 use crate::layer::Layer;
-use crate::normal::{NormalContact, Patch};
+use crate::normal::NormalContact;
 use crate::scaling::Scaling;
 
 /// Everything that a theory of rolling is prepared for: what touches, the combined Poisson's ratio, how
@@ -232,6 +232,19 @@ impl Contact {
         Ok(self.ellipse)
     }
 
+    /// First and last place of the contact along `x` and along `y` (m): from the centre of the ellipse, or from the
+    /// origin of the gap.
+    #[must_use]
+    pub fn extent(&self) -> [[f64; 2]; 2] {
+        self.areas.as_ref().map_or_else(
+            || {
+                let unit = self.scaling.length / self.ellipse.c();
+                [self.ellipse.a(), self.ellipse.b()].map(|half| [-half * unit, half * unit])
+            },
+            |areas| areas.extent(),
+        )
+    }
+
     /// Combined Poisson's ratio.
     #[must_use]
     pub fn poisson(&self) -> f64 {
@@ -259,11 +272,7 @@ impl Contact {
 
 /// The ellipse of the ratio of all areas' length along rolling to their width.
 fn standing_for(areas: &NormalContact) -> Result<Ellipse, InvalidValue> {
-    let extents = areas.patches().iter().map(Patch::extent);
-    let nothing = [f64::INFINITY, f64::NEG_INFINITY];
-    let around = |[low, high]: [f64; 2], [from, to]: [f64; 2]| [low.min(from), high.max(to)];
-    let [x, y] =
-        extents.fold([nothing; 2], |[x, y], extent| [around(x, extent.x), around(y, extent.y)]);
+    let [x, y] = areas.extent();
     Ellipse::from_ratio((x[1] - x[0]) / (y[1] - y[0]))
 }
 

@@ -211,7 +211,7 @@ impl Gaps {
             if name.contains(ERROR) { found.error } else { found.value }
         };
         let own = self.columns().map(|column| number(column).unwrap_or(f64::NAN));
-        // Of a theory without slip there are none, as its caution says.
+        // A theory without slip gives no temperatures, and its caution says so.
         let heat = self.heat_columns().map(|(_, of)| solved.heat().map_or(f64::NAN, of));
         let numbers = own.chain(heat).collect();
         let cautions: Vec<_> = solved.cautions.iter().map(ToString::to_string).collect();

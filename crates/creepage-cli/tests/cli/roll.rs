@@ -270,20 +270,23 @@ fn a_line_without_length_rolls_at_a_force() {
     assert!((column(&csv, "xi")[0] - 1.6).abs() < 0.01, "{csv}");
 }
 
-/// Killed once its state is on the disk, and run again: all files have the bytes of a run that was not.
-#[test]
-fn a_killed_history_goes_on_to_the_same_bytes() {
-    let place = Place::new();
-    place.write("case.toml", case());
+/// Three times as many rows as are rolled before the state is first written, after two seconds.
+fn long_history() -> String {
     let row =
         |k: u32| format!("{},{}\n", 2e-5 * f64::from(k), 0.4 + 0.3 * (0.01 * f64::from(k)).sin());
-    // Three times as many as are rolled before the state is first written, after two seconds.
     let rows: String = (1..=8_000).map(row).collect();
-    place.write("h.csv", format!("distance,xi\n{rows}"));
-    let arguments = |out| ["roll", "case.toml", "--history", "h.csv", "--out", out];
+    format!("distance,xi\n{rows}")
+}
+
+fn long_roll(out: &str) -> [&str; 6] {
+    ["roll", "case.toml", "--history", "h.csv", "--out", out]
+}
+
+/// Rolls into `out`, killed once the state is on the disk.
+fn killed(place: &Place) {
     let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_creepage"))
         .current_dir(place.path(""))
-        .args(arguments("out"))
+        .args(long_roll("out"))
         .stdout(std::process::Stdio::null())
         .stderr(std::process::Stdio::null())
         .spawn()
@@ -296,14 +299,43 @@ fn a_killed_history_goes_on_to_the_same_bytes() {
     assert!(
         place.path("out/history.csv.partial").exists() && place.path("out/history.state").exists()
     );
-    place.run(&arguments("out")).done();
-    place.run(&arguments("undisturbed")).done();
+}
+
+/// The run that was killed is run again: all files have the bytes of a run that was not.
+fn ends_as_undisturbed(place: &Place) {
+    place.run(&long_roll("out")).done();
+    place.run(&long_roll("undisturbed")).done();
     let files = place.files_in("undisturbed");
     assert_eq!(place.files_in("out"), files);
     for name in files {
         let [one, other] = ["out", "undisturbed"].map(|dir| fs::read(place.path(dir).join(&name)));
         assert!(one.unwrap() == other.unwrap(), "{name}");
     }
+}
+
+#[test]
+fn a_killed_history_goes_on_to_the_same_bytes() {
+    let place = Place::new();
+    place.write("case.toml", case());
+    place.write("h.csv", long_history());
+    killed(&place);
+    ends_as_undisturbed(&place);
+}
+
+/// What was rolled with another slip, whose file has changed since, is not gone on with.
+#[test]
+fn a_killed_history_begins_again_where_its_slip_has_changed() {
+    let place = Place::new();
+    place.write(
+        "case.toml",
+        case().replace("friction = 0.3", "friction = 0.3\nslip = \"slip.csv\""),
+    );
+    place.write("h.csv", long_history());
+    let slip = |along: f64| format!("x,y,longitudinal,lateral\n0,0,{along:e},0\n");
+    place.write("slip.csv", slip(1e-4));
+    killed(&place);
+    place.write("slip.csv", slip(-2e-4));
+    ends_as_undisturbed(&place);
 }
 
 /// `[contact] friction` with a law in place of the number; `[creepage] speed` where it is given.

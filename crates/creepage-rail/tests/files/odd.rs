@@ -167,6 +167,6 @@ fn corners_are_those_that_are_asked_for() {
     assert_eq!(turns(None), [0, 4]);
     let alone = CornerSearch { reach: 0.0, ..CornerSearch::default() };
     assert_eq!(turns(Some(alone)), [4, 0]);
-    // A turn of 45 degrees there and back is none of 100.
+    // A turn of 45 degrees and back is below a threshold of 100.
     assert_eq!(turns(Some(CornerSearch { turn: 1.75, ..alone })), [0, 0]);
 }

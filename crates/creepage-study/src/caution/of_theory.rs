@@ -43,7 +43,7 @@ impl Caution {
         all.chain(contact.areas().into_iter().flat_map(|areas| Self::of_areas(areas))).collect()
     }
 
-    /// All that a theory neglects in a contact, whatever it creeps.
+    /// All that a theory neglects in a contact, or is not given of it, whatever it creeps.
     #[must_use]
     pub fn neglected(theory: &TheorySpec, contact: &Contact) -> Vec<Self> {
         let dissimilar = match contact.areas() {
@@ -51,7 +51,7 @@ impl Caution {
             None => Self::dissimilar(theory, contact.kappa_over_mu()),
         };
         let between = Self::between_surfaces(theory, contact).into_iter().flatten();
-        dissimilar.into_iter().chain(between).collect()
+        dissimilar.into_iter().chain(between).chain(Self::slip_beyond(contact)).collect()
     }
 
     /// What a theory neglects between the surfaces: a law of friction, a layer.
@@ -87,7 +87,7 @@ impl Caution {
 
     /// Where the contact reaches beyond the points of an added slip; one value along an axis holds all along it.
     fn slip_beyond(contact: &Contact) -> impl Iterator<Item = Self> {
-        let reach = contact.added_slip().map(|slip| (slip.extent(), extent(contact)));
+        let reach = contact.added_slip().map(|slip| (slip.extent(), contact.extent()));
         reach.into_iter().flat_map(|(points, areas)| {
             let pairs = ["x", "y"].into_iter().zip(points.into_iter().zip(areas));
             pairs.filter_map(|(along, ([first, last], [low, high]))| {
@@ -155,20 +155,6 @@ impl Caution {
 }
 
 /// The smaller half-width (m) of the area with the largest load.
-/// Extent of the contact along `x` and along `y` (m).
-fn extent(contact: &Contact) -> [[f64; 2]; 2] {
-    let Some(areas) = contact.areas() else {
-        let (ellipse, length) = (contact.ellipse(), contact.scaling().length);
-        return [ellipse.a(), ellipse.b()]
-            .map(|half| [-half, half].map(|end| end * length / ellipse.c()));
-    };
-    let nothing = [f64::INFINITY, f64::NEG_INFINITY];
-    let union = |one: [f64; 2], other: [f64; 2]| [one[0].min(other[0]), one[1].max(other[1])];
-    let extents = areas.patches().iter().map(Patch::extent);
-    let [x, y] = extents.fold([nothing; 2], |[x, y], area| [union(x, area.x), union(y, area.y)]);
-    [x, y]
-}
-
 fn smallest_half_width(areas: &NormalContact) -> f64 {
     let largest = areas.patches().iter().max_by(|a, b| a.load().total_cmp(&b.load()));
     let size = |patch: &Patch| patch.extent().size();

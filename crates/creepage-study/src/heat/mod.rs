@@ -313,7 +313,9 @@ mod tests {
         assert!(error(SLIDING, without).contains("upper: density is missing"));
         let twice = HEAT.replace("material = \"steel\" }", "material = \"steel\", density = 1.0 }");
         assert!(error(SLIDING, &twice).contains("exclude each other"));
-        assert!(error(SLIDING, &HEAT.replace("0.0", "inf")).contains("bulk_temperature"));
+        for cold in ["inf", "-273.16"] {
+            assert!(error(SLIDING, &HEAT.replace("0.0", cold)).contains("not below -273.15"));
+        }
         let law = ELLIPSE.replace("0.3", "{ cold = 0.3, hot = 0.1, temperatures = [100, 200] }");
         let text = format!("{BODIES}{law}[creepage]\n{SLIDING}\n");
         let error = AnyCaseFile::read(&text).unwrap().case(".".as_ref()).unwrap_err().to_string();

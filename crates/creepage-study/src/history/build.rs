@@ -252,6 +252,10 @@ fn of_areas(case: &GapCase, areas: &NormalContact) -> Result<Vec<Caution>, Histo
         Some(layer) => contact.with_layer(layer),
         None => contact,
     };
+    let contact = match &case.slip {
+        Some(slip) => contact.with_added_slip(Arc::clone(slip)),
+        None => contact,
+    };
     let mut cautions = Caution::neglected(&case.theory, &contact);
     cautions.extend(Caution::of_areas(areas).chain(Caution::large_areas(&case.gap, areas)));
     if !cautions.iter().any(Caution::is_of_units) {

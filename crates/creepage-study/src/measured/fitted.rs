@@ -1,4 +1,4 @@
-//! Result of a fit of friction to measured forces: estimates, cautions, and errors where there is none.
+//! Result of a fit of friction to measured forces: estimates and cautions, or an error.
 
 use std::fmt;
 

@@ -228,7 +228,8 @@ impl NonHertzian {
             solution.status = Status::SeveralSolutions;
         }
         let states = workspace.states();
-        let [on_coarse, on_fine] = [0, 1].map(|k: usize| states[k].work(&grids[k], &more[k]));
+        let [on_coarse, on_fine] =
+            [0, 1].map(|k: usize| states[k].work(&grids[k], forces[k], &more[k]));
         let power = power_of(force, creepage) + extrapolate(on_coarse, on_fine);
         let work = power_of(fine.force, inward) + on_fine;
         let dissipation = dissipation::dissipation(power, &fine, work);

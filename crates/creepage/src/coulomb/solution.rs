@@ -101,7 +101,7 @@ impl Answer {
         let error = extrapolation.error_bar(forces, exact.grids[1].mesh.len());
         let states = workspace.states();
         let [on_coarse, on_fine] =
-            [0, 1].map(|k: usize| states[k].work(&exact.grids[k], &exact.added[k]));
+            [0, 1].map(|k: usize| states[k].work(&exact.grids[k], forces[k], &exact.added[k]));
         let power = power_of(force, creepage)
             + extrapolate(coarse.by_pressure, fine.by_pressure)
             + extrapolate(on_coarse, on_fine);

@@ -306,6 +306,15 @@ impl NormalContact {
         [sum.by_x / sum.force, sum.by_y / sum.force]
     }
 
+    /// First and last place of all its areas along `x` and along `y` (m).
+    #[must_use]
+    pub fn extent(&self) -> [[f64; 2]; 2] {
+        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+        let around = |one: [f64; 2], other: [f64; 2]| [one[0].min(other[0]), one[1].max(other[1])];
+        let extents = self.patches.iter().map(Patch::extent);
+        extents.fold([nothing; 2], |[x, y], area| [around(x, area.x), around(y, area.y)])
+    }
+
     /// Pressure at a place (Pa), zero outside.
     #[must_use]
     pub fn pressure(&self, x: f64, y: f64) -> f64 {

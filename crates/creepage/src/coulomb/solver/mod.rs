@@ -17,6 +17,7 @@ use super::friction_bound::MIN_BOUND;
 use super::grid::Grid;
 use super::influence::{Precision, Tractions};
 use super::quadrature::{Fields, Sum};
+use crate::Force;
 use crate::numerics::anderson::AndersonAcceleration;
 use strip_factors::Factors;
 
@@ -346,15 +347,24 @@ impl State {
         sum
     }
 
-    /// Power of the tractions on slips that are given element by element, or on none: of each element its force, by the
-    /// quadrature that makes up the whole one, so that an even slip is a creepage to rounding.
-    pub(crate) fn work(&self, grid: &Grid, slips: &[[f64; 2]]) -> f64 {
-        let of_element = |(element, [x, y]): (usize, &[f64; 2])| {
-            let mut sum = Sum::default();
-            grid.quadrature.add(self.fields(), element, self.slides(element), &mut sum);
-            sum.force.fx * x + sum.force.fy * y
-        };
-        slips.iter().enumerate().map(of_element).sum()
+    /// Power of the tractions, whose sum is `force`, on slips that are given element by element, or on none: the force on
+    /// their mean by pressure, so that an even slip is a creepage to rounding, and element by element what differs from it.
+    pub(crate) fn work(&self, grid: &Grid, force: Force, slips: &[[f64; 2]]) -> f64 {
+        let shares = &grid.pressure.shares;
+        let (mut mean, mut all) = ([0.0; 2], 0.0);
+        for (share, [x, y]) in shares.iter().zip(slips) {
+            mean = [mean[0] + share * x, mean[1] + share * y];
+            all += share;
+        }
+        if all <= 0.0 {
+            return 0.0;
+        }
+        let mean = mean.map(|sum| sum / all);
+        let uneven = slips.iter().zip(shares).enumerate().map(|(element, ([x, y], share))| {
+            let [p, q] = self.traction.at(element);
+            share * (p * (x - mean[0]) + q * (y - mean[1]))
+        });
+        force.fx * mean[0] + force.fy * mean[1] + uneven.sum::<f64>()
     }
 
     /// Frictional power of one element.
