@@ -30,6 +30,9 @@ pub(crate) fn newton<const N: usize, E>(
     Ok((found.at, left))
 }
 
+/// Steps in which a radial load grows where Newton's method stagnates at once.
+const CONTINUATION: u32 = 16;
+
 /// Load on a ball beside those of its races.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Acting {
@@ -215,19 +218,29 @@ impl BallBearing {
         };
         let step = 1e-9_f64.max(1e-6 * self.groove_distance());
         let displacement = match load {
-            BearingLoad::Rings { radial, .. } if radial.abs() > 0.0 => {
+            BearingLoad::Rings { axial, radial } if radial.abs() > 0.0 => {
                 let unit = size(load);
-                let start = SVector::from(start);
-                let (found, left) = newton(start, SVector::from([step; 2]), TOLERANCE, |at| {
-                    let carried = self.carried(&balls([at[0], at[1]])?, acting);
-                    let BearingLoad::Rings { axial, radial } = load else {
-                        return Ok(SVector::zeros());
-                    };
-                    Ok::<_, BearingError>(SVector::from([
-                        (carried[0] - axial) / unit,
-                        (carried[1] - radial) / unit,
-                    ]))
-                })?;
+                let under = |start: Displacement, radial: f64| {
+                    let steps = SVector::from([step; 2]);
+                    newton(SVector::from(start), steps, TOLERANCE, |at| {
+                        let carried = self.carried(&balls([at[0], at[1]])?, acting);
+                        Ok::<_, BearingError>(SVector::from([
+                            (carried[0] - axial) / unit,
+                            (carried[1] - radial) / unit,
+                        ]))
+                    })
+                };
+                let (mut found, mut left) = under(start, radial)?;
+                if left > ACCEPTED && axial.abs() > 0.0 {
+                    // Continuation from the axial load alone, under which all balls carry alike.
+                    let alone =
+                        self.first_displacement(BearingLoad::Rings { axial, radial: 0.0 })?;
+                    found = SVector::from(alone);
+                    for part in 0..=CONTINUATION {
+                        let share = f64::from(part) / f64::from(CONTINUATION);
+                        (found, left) = under([found[0], found[1]], share * radial)?;
+                    }
+                }
                 found_to(left)?;
                 [found[0], found[1]]
             }

@@ -18,6 +18,9 @@ const TOLERANCE: f64 = 1e-6;
 /// What is left at most where the line search ends before: contact solvers scatter by their own tolerance.
 const ACCEPTED: f64 = 1e-3;
 
+/// Steps in which the ball's inertia grows where Newton's method stagnates at once.
+const CONTINUATION: u32 = 8;
+
 /// Motion of a ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BallMotion {
@@ -155,6 +158,10 @@ impl Ball<'_> {
     ) -> Result<(BallMotion, [RaceFriction; 2]), BearingError> {
         let half = 0.5 * self.bearing.ball_diameter;
         let pitches = [INNER, OUTER].map(|race| self.controlled_pitch(race));
+        let fresh = |pitch: f64| {
+            let creepage = self.start(contacts);
+            Unknowns::from([creepage[0], creepage[1], pitch, 0.0])
+        };
         let start = if let Some(motion) = before {
             Unknowns::from([
                 motion.slip[INNER].creepage.longitudinal,
@@ -163,9 +170,7 @@ impl Ball<'_> {
                 motion.yaw_rate / motion.rotation,
             ])
         } else {
-            let creepage = self.start(contacts);
-            let pitch = 0.5 * (pitches[INNER] + pitches[OUTER]);
-            Unknowns::from([creepage[0], creepage[1], pitch, 0.0])
+            fresh(0.5 * (pitches[INNER] + pitches[OUTER]))
         };
         let motion_of = |at: &Unknowns| {
             let turning = self.motion([at[0], at[1]], at[2], 0.0);
@@ -174,7 +179,8 @@ impl Ball<'_> {
         let bound: f64 = contacts.iter().map(RaceContact::bound).sum();
         let width = contacts.iter().map(RaceContact::half_width).fold(0.0, f64::max);
         let normals = self.normals();
-        let residual = |at: &Unknowns| {
+        // By a share of the ball's inertia.
+        let residual = |at: &Unknowns, share: f64| {
             let motion = motion_of(at);
             let friction = solved(contacts, &motion)?;
             let (mut along, mut moment) = (0.0, [0.0; 3]);
@@ -191,7 +197,7 @@ impl Ball<'_> {
                 moment[2] += half * sense * lateral;
             }
             // The change of the ball's angular momentum as its orbit turns it.
-            let turned = self.bearing.ball_inertia() * motion.orbit;
+            let turned = share * self.bearing.ball_inertia() * motion.orbit;
             moment[1] += turned * motion.yaw_rate;
             moment[2] += turned * motion.rotation * motion.pitch.sin();
             let mean = [0, 1].map(|k: usize| normals[OUTER][k] - normals[INNER][k]);
@@ -206,7 +212,19 @@ impl Ball<'_> {
         };
         let apart = (pitches[INNER] - pitches[OUTER]).abs().max(1e-6);
         let steps = Unknowns::from([1e-6, 1e-6, 1e-4 * apart, 1e-6]);
-        let (found, left) = newton(start, steps, TOLERANCE, residual)?;
+        let at_share = |start, share| newton(start, steps, TOLERANCE, |at| residual(at, share));
+        let (mut found, mut left) = at_share(start, 1.0)?;
+        // Continuation from a ball without inertia, which either race may control.
+        for pitch in [pitches[OUTER], pitches[INNER]] {
+            if left <= ACCEPTED {
+                break;
+            }
+            let mut at = fresh(pitch);
+            for part in 0..=CONTINUATION {
+                (at, left) = at_share(at, f64::from(part) / f64::from(CONTINUATION))?;
+            }
+            found = at;
+        }
         let motion = motion_of(&found);
         let (gyroscopic, most) = (self.gyroscopic(&motion), bound * half);
         if left > ACCEPTED && gyroscopic.abs() > 0.9 * most {

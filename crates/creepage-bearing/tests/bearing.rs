@@ -228,3 +228,20 @@ fn what_is_wrong_is_named() {
         like_7208().solve(&axial(0.0, 0.0, Control::Balance), BearingTheory::Sliding).unwrap_err();
     assert!(matches!(error, BearingError::Invalid(_)), "{error}");
 }
+
+/// Loads along and across the axis in many proportions: every ball's motion is found, and they carry the load.
+#[test]
+fn combined_loads_are_carried() {
+    let speed = [6000.0 * std::f64::consts::TAU / 60.0, 0.0];
+    for (axial, radial) in
+        [(500.0, 500.0), (500.0, 1000.0), (500.0, 2000.0), (1000.0, 2000.0), (2000.0, 2000.0)]
+    {
+        let load = BearingLoad::Rings { axial, radial };
+        let operation = Operation { load, speed, control: Control::Balance };
+        for theory in [BearingTheory::Sliding, BearingTheory::Fastsim([20, 20])] {
+            let bearing = like_7208().solve(&operation, theory).unwrap();
+            near(bearing.load[0], axial, 1e-3);
+            near(bearing.load[1], radial, 1e-3);
+        }
+    }
+}

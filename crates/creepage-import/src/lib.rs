@@ -171,7 +171,7 @@ pub struct Imported {
 pub fn import(path: &Path, out: &Path) -> Result<Imported, ImportError> {
     let failed = |source| ImportError::Read { path: path.into(), source };
     let text = fs::read(path).map_err(failed)?;
-    let text = String::from_utf8_lossy(&text);
+    let text = creepage_rail::file::unicode(&text);
     let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let mut reader = Reader { file, stem, ..Reader::new(Profiles::new(path, out)) };

@@ -25,6 +25,17 @@ pub(crate) struct Profiles {
     lists: Vec<(PathBuf, SlicesRead)>,
 }
 
+/// What MIRRORY does to a profile.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// Nothing: it reads so by itself.
+    AsRead,
+    /// `y` points where MIRRORY says, and not where the format has it.
+    Said,
+    /// The flange lies on the other side.
+    AgainstShape,
+}
+
 /// A list of slices as a file of ours.
 #[derive(Debug, Clone)]
 pub(crate) struct SlicesRead {
@@ -136,6 +147,26 @@ impl Profiles {
         let down = (file.mirror_z == 1).then_some(false);
         let wanted = ReadOptions { role: Some(role), down, ..ReadOptions::default() };
         Some(read(&file.name, &content, &wanted).ok()?.profile)
+    }
+
+    /// Whether MIRRORY has to be said: what the file is without it, and with it.
+    pub(crate) fn side(&self, file: &ProfileFile, role: Role) -> Side {
+        let Some(content) = find(&self.from, &file.name).and_then(|path| fs::read(path).ok())
+        else {
+            return Side::AsRead;
+        };
+        let down = (file.mirror_z == 1).then_some(false);
+        let of = |field_side: Option<bool>| {
+            let wanted =
+                ReadOptions { role: Some(role), down, field_side, ..ReadOptions::default() };
+            read(&file.name, &content, &wanted).ok().map(|found| found.profile)
+        };
+        match (of(None), of(Some(!file.mirror_y))) {
+            (Some(by_itself), Some(as_said)) if by_itself == as_said => Side::AsRead,
+            (Some(_), None) => Side::AgainstShape,
+            (None, None) => Side::AsRead,
+            (_, Some(_)) => Side::Said,
+        }
     }
 
     /// The files that are to be copied beside the case files.

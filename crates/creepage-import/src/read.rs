@@ -16,13 +16,48 @@ pub(crate) struct Control {
     outer_rounds: f64,
 }
 
+/// A digit's letter, its place from the right, and its largest value.
+type Largest = (char, u32, u8);
+
+/// Digits that say what follows or what is solved; a larger one says neither to us.
+const FIRST: [Largest; 6] =
+    [('C', 6, 9), ('P', 5, 3), ('B', 4, 6), ('T', 3, 3), ('N', 2, 1), ('F', 1, 3)];
+const SECOND: [Largest; 4] = [('V', 6, 3), ('L', 5, 6), ('D', 4, 5), ('M', 2, 5)];
+const THIRD: [Largest; 1] = [('H', 6, 3)];
+/// Values of the digit C of the second line: the influence numbers.
+const INFLUENCE: [u8; 6] = [0, 1, 2, 3, 4, 9];
+
+/// Control digits whose values are known here.
+fn known(lines: &mut Lines, what: &str, largest: &[Largest]) -> Result<Digits, ImportError> {
+    let refused = |lines: &Lines, letter: char, allowed: &str| {
+        lines.expected(&format!("{letter} {allowed} in the control digits {what}"))
+    };
+    let errors: Vec<_> = largest
+        .iter()
+        .map(|(letter, place, most)| {
+            (*place, *most, refused(lines, *letter, &format!("from 0 to {most}")))
+        })
+        .collect();
+    let of_influence = refused(lines, 'C', "from 0 to 4, or 9,");
+    let digits = lines.digits(what)?;
+    for (place, most, error) in errors {
+        if digits.at(place) > most {
+            return Err(error);
+        }
+    }
+    if what.starts_with('V') && !INFLUENCE.contains(&digits.at(3)) {
+        return Err(of_influence);
+    }
+    Ok(digits)
+}
+
 impl Control {
     /// Reads them; `before` are those of the case before.
     pub(crate) fn read(lines: &mut Lines, before: Self) -> Result<Self, ImportError> {
         let mut control = Self {
-            first: lines.digits("C-P-B-T-N-F-S")?,
-            second: lines.digits("V-L-D-C-M-Z-E")?,
-            third: lines.digits("X-H-G-I-A-O-W-R")?,
+            first: known(lines, "C-P-B-T-N-F-S", &FIRST)?,
+            second: known(lines, "V-L-D-C-M-Z-E", &SECOND)?,
+            third: known(lines, "X-H-G-I-A-O-W-R", &THIRD)?,
             outer_rounds: before.outer_rounds,
         };
         // Digits for the program's own debugging say nothing of the case.

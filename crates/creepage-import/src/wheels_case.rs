@@ -1,7 +1,7 @@
 //! Conversion of a case of module 1 to a wheelset file of creepage.
 
 use crate::bodies_case::law_text;
-use crate::profiles::Profiles;
+use crate::profiles::{Profiles, Side};
 use crate::read::{Extra, Friction, FrictionRead, Law};
 use crate::text::{comments, heat_section, list, number, quoted, section};
 use crate::wheels::{ProfileFile, Wheels};
@@ -23,6 +23,7 @@ struct Named<'a> {
     name: String,
     /// The profile, or the first one of the slices, as the input has it.
     first: String,
+    side: Side,
 }
 
 impl<'a> Named<'a> {
@@ -34,7 +35,8 @@ impl<'a> Named<'a> {
     ) -> Result<Self, Cause> {
         if !is_slices(&file.name) {
             let name = profiles.name(&file.name)?;
-            return Ok(Self { file, key: "profile", name, first: file.name.clone() });
+            let side = profiles.side(file, role);
+            return Ok(Self { file, key: "profile", name, first: file.name.clone(), side });
         }
         let read = profiles.slices(&file.name, role)?;
         if read.approximates {
@@ -46,7 +48,7 @@ impl<'a> Named<'a> {
             notes.push(format!("P_ACCEL of the {role}'s slices has no counterpart"));
         }
         let (name, first) = (read.file.name, read.first);
-        Ok(Self { file, key: "slices", name, first })
+        Ok(Self { file, key: "slices", name, first, side: Side::AsRead })
     }
 }
 
@@ -102,6 +104,9 @@ fn check(case: &Wheels) -> Result<(), Cause> {
     }
     if control.bound() == 1 {
         return Err("a compressible sheet (B = 1)".into());
+    }
+    if control.has_load() && case.position.is_some_and(|at| at[2].is_nan() || at[2] <= 0.0) {
+        return Err("a load that does not press the wheel on the rail (FZ)".into());
     }
     if control.force() == 2 {
         return Err("a given moment about the axle (F = 2)".into());
@@ -260,20 +265,30 @@ fn track(values: [f64; 5], notes: &mut Vec<String>) -> Track {
 }
 
 fn profile(
-    Named { file, key, name, first }: &Named<'_>,
+    Named { file, key, name, first, side }: &Named<'_>,
     role: &str,
     notes: &mut Vec<String>,
 ) -> Keys {
     let mut reading = Vec::new();
     let extension = first.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
     let is_plain = !matches!(extension.as_str(), "prr" | "prw" | "ban" | "whl");
+    if file.scale <= 0.0 {
+        notes.push(format!(
+            "SCALE = {} of the {role}'s profile is not above zero: the file's own unit is taken",
+            number(file.scale)
+        ));
+    }
     if file.scale != 1.0 && file.scale > 0.0 {
         reading.push(format!("unit = {}", number(file.scale * 1e-3)));
     } else if is_plain {
         reading.push("unit = 0.001".into());
     }
-    // Formats of their own say where their axes point.
-    if is_plain {
+    if *side == Side::AgainstShape {
+        notes.push(format!(
+            "MIRRORY of the {role}'s profile would turn its flange to the field side: the shape is followed"
+        ));
+    } else if is_plain || *side == Side::Said {
+        // Formats of their own say where their axes point.
         let y = if file.mirror_y { "track-side" } else { "field-side" };
         reading.push(format!("y = {}", quoted(y)));
     }

@@ -50,6 +50,7 @@ pub use error::{FileError, SaidBy};
 pub use repair::CornerSearch;
 pub use report::Action;
 pub use slice_list::{SliceList, SliceListError};
+pub use text::unicode;
 pub use writing::write;
 
 use orientation::Turned;

@@ -95,7 +95,7 @@ pub use bearing::{BearingCase, BearingCaseError, BearingFile, BearingReport, bea
 pub use bulk::{
     BulkAnswer, BulkCase, BulkColumn, BulkQuery, BulkRow, Reply, RowError, Solver, Varied,
 };
-pub use case::keys::plain_words;
+pub use case::keys::{misspelt, plain_words};
 pub use case::{
     Case, CaseError, CaseFile, Given, SecondStart, SpecError, StaticsCase, StaticsError,
     StaticsFile, StaticsProblem, Sweep, SweepCase, json_schema, statics_json_schema,

@@ -1,5 +1,7 @@
 //! Friction on a rail: a number, a law by the speed of slip, or by the place on the rail.
 
+use std::f64::consts::FRAC_PI_2;
+
 use creepage::friction_law::{FrictionAcross, FrictionLaw, FrictionMemory, RollingFriction};
 use creepage_rail::{Contact, Side};
 
@@ -91,11 +93,15 @@ impl FrictionOfPlace {
         let is_valid = count == places.len() && count >= 2;
         let valid = "as many as places, two at least";
         checked(SECTION, "number of values", count as f64, is_valid, valid)?;
+        let (reach, valid) = match by {
+            PlaceOnRail::Angle => (FRAC_PI_2, "above the one before, from -pi/2 to pi/2 (rad)"),
+            PlaceOnRail::Position => (1.0, "above the one before, from -1 to 1 m"),
+        };
         let mut points = Vec::with_capacity(count);
         for (&place, &value) in places.iter().zip(values) {
             let last = points.last().map_or(f64::NEG_INFINITY, |[place, _]: &[f64; 2]| *place);
-            let is_valid = place > last && place.is_finite();
-            checked(SECTION, "place", place, is_valid, "finite and above the one before")?;
+            let is_valid = place > last && place.abs() <= reach;
+            checked(SECTION, "place", place, is_valid, valid)?;
             let is_valid = value > 0.0 && value.is_finite();
             checked(SECTION, "value", value, is_valid, "positive and finite")?;
             points.push([place, value]);

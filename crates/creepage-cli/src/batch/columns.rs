@@ -3,8 +3,11 @@
 use creepage::{Contact, Creepage, Ellipse, InvalidValue};
 use creepage_study::{
     BulkCase, BulkQuery, BulkRow, CaseError, CaseFile, DamageWanted, GapVaried, RowError, Varied,
+    misspelt,
 };
 use csv::ByteRecord;
+
+use crate::output::say;
 
 const QUERY_COLUMNS: [&str; 5] = ["a_over_b", "poisson", "xi", "eta", "chi"];
 /// May be missing: the bodies are like ones then.
@@ -73,6 +76,8 @@ impl Columns {
             found[k] = place.ok_or_else(missing)?;
         }
         let dissimilarity = place_of(header, DISSIMILARITY)?;
+        let known: Vec<_> = QUERY_COLUMNS.into_iter().chain([DISSIMILARITY]).collect();
+        tell_misspelt(header, &known);
         Ok(Self { places: found, dissimilarity, count: header.len() })
     }
 
@@ -107,6 +112,22 @@ pub(super) fn place_of(
     if places.next().is_some() { Err(ColumnError::Twice(name)) } else { Ok(first) }
 }
 
+/// Cautions about columns that are passed through, though they look like one of `known` that is not there.
+pub(super) fn tell_misspelt(header: &ByteRecord, known: &[&'static str]) {
+    let is_there = |name: &&str| header.iter().any(|own| own.trim_ascii() == name.as_bytes());
+    let missing: Vec<&str> = known.iter().copied().filter(|name| !is_there(name)).collect();
+    for own in header.iter().map(|name| String::from_utf8_lossy(name.trim_ascii())) {
+        if known.contains(&own.as_ref()) {
+            continue;
+        }
+        if let Some(meant) = misspelt(&own, &missing) {
+            say(&format!(
+                "caution: column `{own}` is none that rows are asked by, and goes through as it is: did you mean `{meant}`?"
+            ));
+        }
+    }
+}
+
 /// The names of all columns.
 pub(super) fn names(header: &ByteRecord) -> String {
     let names = header.iter().map(|name| String::from_utf8_lossy(name.trim_ascii()));
@@ -134,6 +155,7 @@ impl CaseColumns {
         if varied.is_empty() {
             return Err(ColumnError::NothingVaries { found: names(header) });
         }
+        tell_misspelt(header, &Varied::ALL.map(Varied::name));
         let case =
             BulkCase::new(file, varied).map_err(|error| ColumnError::Case(Box::new(error)))?;
         Ok(Self { case, places, count: header.len() })

@@ -11,8 +11,7 @@ use creepage_study::{
 use csv::ByteRecord;
 use rayon::prelude::*;
 
-use super::columns::{ColumnError, names, place_of};
-use super::columns::{NoCase, parse};
+use super::columns::{ColumnError, NoCase, names, parse, place_of, tell_misspelt};
 use super::rows::RowAnswer;
 use super::table::Table;
 use super::{free, write_answers};
@@ -119,6 +118,7 @@ impl Gaps {
         if varied.is_empty() {
             return Err(input(ColumnError::NoGapVaries { found: names(&table.header) }));
         }
+        tell_misspelt(&table.header, &GapVaried::ALL.map(GapVaried::name));
         let directory = path.parent().unwrap_or(Path::new("")).to_path_buf();
         let rows = GapRows::new(file, directory.clone(), varied);
         let (count, solver) = (table.header.len(), GapSolver::default());

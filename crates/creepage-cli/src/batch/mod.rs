@@ -10,6 +10,7 @@ mod tally;
 mod wheelsets;
 
 use std::io::{self, Write};
+use std::path::Path;
 use std::sync::Arc;
 
 use creepage::{Contact, Ellipse, TheorySpec};
@@ -46,7 +47,7 @@ pub(crate) fn run(args: &BatchArgs) -> Result<Outcome, Failure> {
     };
     let solver = solver(args, case.as_ref())?;
     let table = Table::open(args.input.as_deref())?;
-    let ask = ask(&table, case.as_ref(), &solver)?;
+    let ask = ask(&table, args.case.as_deref().zip(case.as_ref()), &solver)?;
     let appended = appended(&table, &ask, solver.error_bars())?;
     let answers = |rows: &[ByteRecord]| Ok(replies(&ask, &solver, rows));
     let tally =
@@ -82,14 +83,17 @@ fn solver(args: &BatchArgs, case: Option<&CaseFile>) -> Result<Solver, Failure> 
 }
 
 /// How the columns of the table ask.
-fn ask(table: &Table, case: Option<&CaseFile>, solver: &Solver) -> Result<Ask, Failure> {
-    let found = match case {
-        None => Columns::find(&table.header, solver.only_contact()).map(Ask::Dimensionless),
-        Some(file) => {
-            CaseColumns::find(&table.header, file).map(|columns| Ask::Case(Box::new(columns)))
-        }
+fn ask(table: &Table, case: Option<(&Path, &CaseFile)>, solver: &Solver) -> Result<Ask, Failure> {
+    let of_table = |source| Failure::Columns { input: table.name.clone(), source };
+    let Some((path, file)) = case else {
+        let found = Columns::find(&table.header, solver.only_contact());
+        return found.map(Ask::Dimensionless).map_err(of_table);
     };
-    found.map_err(|source| Failure::Columns { input: table.name.clone(), source })
+    match CaseColumns::find(&table.header, file) {
+        Ok(columns) => Ok(Ask::Case(Box::new(columns))),
+        Err(ColumnError::Case(source)) => Err(Failure::Case { path: path.into(), source: *source }),
+        Err(source) => Err(of_table(source)),
+    }
 }
 
 /// The columns that are to be appended; none of them may be there already.

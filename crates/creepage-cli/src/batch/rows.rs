@@ -72,8 +72,10 @@ impl<W: Write> Rows<W> {
         self.fit(&mut row);
         match answer {
             Ok(RowAnswer { numbers, status, message }) => {
+                // What a row does not have is empty.
                 for number in numbers {
-                    row.push_field(format!("{number:?}").as_bytes());
+                    let text = if number.is_nan() { String::new() } else { format!("{number:?}") };
+                    row.push_field(text.as_bytes());
                 }
                 row.push_field(status.name().as_bytes());
                 row.push_field(message.as_bytes());

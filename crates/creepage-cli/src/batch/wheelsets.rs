@@ -10,8 +10,7 @@ use creepage_study::{
 use csv::ByteRecord;
 use rayon::prelude::*;
 
-use super::columns::{ColumnError, names, place_of};
-use super::columns::{NoCase, parse};
+use super::columns::{ColumnError, NoCase, names, parse, place_of, tell_misspelt};
 use super::rows::RowAnswer;
 use super::table::Table;
 use super::{free, write_answers};
@@ -89,6 +88,8 @@ impl Places {
             let known = format!("{}, {FRICTION}, {}", ASKED.join(", "), PLACE.join(", "));
             return Err(input(ColumnError::NoneVaries { known, found: names(&table.header) }));
         }
+        let known: Vec<_> = ASKED.into_iter().chain([FRICTION]).chain(PLACE).collect();
+        tell_misspelt(&table.header, &known);
         Ok(Self { asked, friction, place, count: table.header.len() })
     }
 

@@ -376,3 +376,18 @@ fn twenty_thousand_rows_keep_their_order_on_any_number_of_cores() {
         assert_eq!(row[9] == "invalid", i % 1000 == 999, "{row:?}");
     }
 }
+
+/// A column that is none goes through; one that looks like a known one is told of.
+#[test]
+fn a_misspelt_column_is_told() {
+    let place = Place::new();
+    place.write("case.toml", include_str!("../../src/example.toml"));
+    let rows = ["batch", "--case", "case.toml", "--theory", "polach"];
+    for (own, meant) in [("longitudnal", "longitudinal"), ("Longitudinal", "longitudinal")] {
+        let ran = place.run_on(&rows, format!("{own},lateral\n0.001,0\n"));
+        let told = format!("column `{own}` is none that rows are asked by");
+        assert!(ran.stderr.contains(&told) && ran.stderr.contains(meant), "{}", ran.stderr);
+    }
+    let ran = place.run_on(&rows, "time,run,longitudinal,lateral\n1,2,0.001,0\n");
+    assert!(!ran.stderr.contains("caution"), "{}", ran.stderr);
+}

@@ -65,7 +65,7 @@ fn what_is_wrong_is_named() {
     refused("[wheel]", "[wheels]", &["`wheels` in the file", "did you mean"]);
     refused("1.360", "-1.360", &["[wheelset] back_to_back = -1.36"]);
     refused("0.46", "0.0", &["[wheel] radius = 0 "]);
-    refused("0.750", "nan", &["[track] rail_position = NaN", "positive and finite"]);
+    refused("0.750", "nan", &["[track] rail_position = NaN", "positive, at most 10 m"]);
     refused("rail_position = 0.750", "gauge = 1.435", &["[track] gauge_height is missing"]);
     refused("EN15302-A", "EN15302-X", &["[wheel] profile = \"EN15302-X\"", "S1002"]);
     refused("EN15302-rail-A", "S1002", &["[rail] profile = \"S1002\" is that of a wheel"]);

@@ -66,6 +66,42 @@ fn numbers_in_other_units_are_cautions_everywhere() {
     assert!(plain["caution"].is_null() && plain["approach_m"].is_number());
 }
 
+/// Friction in per cent, moduli in MPa taken for GPa, a linear theory far beyond friction: each is a caution, in one file and
+/// in rows.
+#[test]
+fn numbers_that_no_bodies_have_are_cautions() {
+    let place = Place::new();
+    let cautions = |theory: &str| {
+        let ran = place.run(&["solve", "case.toml", "--theory", theory, "--json"]);
+        let report = json(&ran.stdout);
+        let words = report["caution"].as_str().unwrap_or_default().to_owned();
+        let rows = ["batch", "--case", "case.toml", "--theory", theory];
+        let rows = place.run_on(&rows, "longitudinal\n0.05\n").done();
+        (words, rows)
+    };
+    place.write("case.toml", CASE.replace("friction = 0.3", "friction = 30"));
+    let (words, rows) = cautions("polach");
+    for told in [words, rows] {
+        assert!(told.contains("friction of 30 is above 2"), "{told}");
+    }
+    place.write("case.toml", CASE.replace("82e9", "82e12"));
+    let (words, rows) = cautions("polach");
+    for told in [words, rows] {
+        assert!(told.contains("modulus of 82 TPa is above that of diamond"), "{told}");
+    }
+    let (head, _) = CASE.split_once("[creepage]").unwrap();
+    place.write("case.toml", format!("{head}[creepage]\nlongitudinal = 0.05\n"));
+    let (words, rows) = cautions("linear");
+    for told in [words, rows] {
+        assert!(
+            told.contains("linear knows no slip") && told.contains("what friction allows"),
+            "{told}"
+        );
+    }
+    let (words, rows) = cautions("polach");
+    assert!(words.is_empty() && !rows.contains("friction allows"), "{words} {rows}");
+}
+
 /// Two balls of 6 mm, whose modulus is in megapascals by mistake.
 const SOFT_BALLS: &str = "
 [upper]
@@ -139,6 +175,15 @@ fn a_file_of_another_kind_says_where_it_belongs() {
     place.run(&["solve", "statics.toml"]).refused(&["for `creepage statics`"]);
     place.write("case.toml", CASE);
     place.run(&["statics", "case.toml"]).refused(&["for `creepage solve`"]);
+    place.write("wheels.toml", include_str!("../../../../examples/wheelset/s1002-on-uic60.toml"));
+    for command in ["solve", "curve", "hertz"] {
+        place.run(&[command, "wheels.toml"]).refused(&["for `creepage wheelset`"]);
+    }
+    place.write(
+        "bearing.toml",
+        include_str!("../../../../examples/bearing/angular-contact-7208.toml"),
+    );
+    place.run(&["solve", "bearing.toml"]).refused(&["for `creepage bearing`"]);
 }
 
 #[test]

@@ -132,7 +132,7 @@ fn radii_and_semi_axes_have_columns() {
     assert_eq!(cell(&table, 0, "status"), "solved");
     assert!(cell(&table, 1, "message").contains("[contact] semi_axis_lateral = NaN"));
     let one = place.run_on(&FASTSIM, "semi_axis_rolling\n6e-3\n");
-    one.refused(&["standard input: [contact] semi_axis_lateral is missing"]);
+    one.refused(&["case.toml: [contact] semi_axis_lateral is missing"]);
     let both = place.run_on(&FASTSIM, "semi_axis_rolling,semi_axis_lateral,upper_radius_rolling\n");
     both.refused(&["exclude each other"]);
 }

@@ -81,6 +81,9 @@ pub(crate) fn write(
         1 if !moves => parts.shift(&chain, name, title, notes),
         1 | 2 => parts.history(&chain, &places, (name, title), notes),
         _ if parts.is_steady_line() => parts.steady_line(name, title, notes),
+        3 if matches!(parts.geometry, Geometry::Line(_)) && case.kinematics[3] != 0.0 => {
+            Err("spin on a line contact (CPHI)".into())
+        }
         3 if matches!(parts.geometry, Geometry::Line(_)) => {
             let last = chain.len() - 1;
             parts.history(&chain[last..], &places[last..], (name, title), notes)
@@ -104,7 +107,13 @@ impl<'a> Parts<'a> {
         if case.planform != 1 {
             return Err("a contact area that is bounded beforehand (IPLAN)".into());
         }
+        if case.control.force() == 3 {
+            return Err("F = 3 between bodies that are given".into());
+        }
         let (geometry, pressed) = geometry(case, materials, turned, notes)?;
+        if matches!(pressed, LoadOrApproach::Load(load) if load.is_nan() || load <= 0.0) {
+            return Err("a load that does not press the bodies together (FN)".into());
+        }
         let (friction, friction_text, needs_speed) = friction(case, turned, notes)?;
         if case.control.tangential() != 0 && (friction.is_nan() || friction <= 0.0) {
             return Err(format!(

@@ -2,7 +2,7 @@
 
 use super::{Cause, Geometry, LoadOrApproach, Parts};
 use crate::bodies::Bodies;
-use crate::read::Extra;
+use crate::read::{Extra, Friction, Law};
 use crate::text::{list, number, quoted, section};
 use crate::{File, Written};
 
@@ -221,9 +221,18 @@ impl Parts<'_> {
         [sign * x, sign * y, spin * 1e3]
     }
 
-    /// A force on the lower body over `mu N`, in our axes.
+    /// A force on the lower body over `mu N`, in our axes. That program's forces are over `FSTAT FN`, under friction row by
+    /// row over `FN`.
     pub(super) fn relative_force(&self, printed: f64) -> f64 {
-        if self.turned { printed } else { -printed }
+        let theirs = match self.case.friction.as_ref().map(|read| &read.friction) {
+            Some(Friction::ByRow(_)) => 1.0,
+            Some(Friction::One(Law::Coulomb { at_rest, .. })) => *at_rest,
+            Some(Friction::One(Law::OfTemperature([reference, ..]))) => *reference,
+            _ => self.friction,
+        };
+        let force =
+            if theirs == self.friction { printed } else { printed * theirs / self.friction };
+        if self.turned { force } else { -force }
     }
 
     /// Steady rolling (T = 3).

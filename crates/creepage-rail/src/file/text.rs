@@ -3,18 +3,27 @@
 use super::Action;
 use super::rows::{lines, uncommented};
 
+/// The text of a file by its byte order mark, or by its zeros: UTF-8, or UTF-16. Bytes that are neither become the
+/// replacement character.
+///
+/// ```
+/// assert_eq!(creepage_rail::file::unicode(b"\xEF\xBB\xBF1 2\n"), "1 2\n");
+/// ```
+#[must_use]
+pub fn unicode(content: &[u8]) -> String {
+    match utf16_order(content) {
+        Some(unit) => {
+            let units: Vec<u16> = content.as_chunks().0.iter().map(|pair| unit(*pair)).collect();
+            String::from_utf16_lossy(&units).trim_start_matches('\u{feff}').to_owned()
+        }
+        None => String::from_utf8_lossy(content).trim_start_matches('\u{feff}').to_owned(),
+    }
+}
+
 /// The text of a file, and what had to be done to read it.
 pub(super) fn decoded(content: &[u8], actions: &mut Vec<Action>) -> String {
-    let text = match content {
-        [0xEF, 0xBB, 0xBF, rest @ ..] => String::from_utf8_lossy(rest).into_owned(),
-        [0xFF, 0xFE, rest @ ..] => utf16(rest, u16::from_le_bytes, actions),
-        [0xFE, 0xFF, rest @ ..] => utf16(rest, u16::from_be_bytes, actions),
-        _ => match zeros(content) {
-            [few, many] if many > 4 * few => utf16(content, u16::from_le_bytes, actions),
-            [many, few] if many > 4 * few => utf16(content, u16::from_be_bytes, actions),
-            _ => String::from_utf8_lossy(content).into_owned(),
-        },
-    };
+    let text = unicode(content);
+    actions.extend(utf16_order(content).map(|_| Action::Utf16));
     let text = if text.contains('\n') { text } else { text.replace('\r', "\n") };
     if !has_decimal_commas(&text) {
         return text;
@@ -23,10 +32,17 @@ pub(super) fn decoded(content: &[u8], actions: &mut Vec<Action>) -> String {
     with_points(&text)
 }
 
-fn utf16(content: &[u8], unit: fn([u8; 2]) -> u16, actions: &mut Vec<Action>) -> String {
-    actions.push(Action::Utf16);
-    let units: Vec<u16> = content.as_chunks().0.iter().map(|pair| unit(*pair)).collect();
-    String::from_utf16_lossy(&units).trim_start_matches('\u{feff}').to_owned()
+/// How two bytes of UTF-16 make a unit.
+fn utf16_order(content: &[u8]) -> Option<fn([u8; 2]) -> u16> {
+    match content {
+        [0xFF, 0xFE, ..] => Some(u16::from_le_bytes),
+        [0xFE, 0xFF, ..] => Some(u16::from_be_bytes),
+        _ => match zeros(content) {
+            [few, many] if many > 4 * few => Some(u16::from_le_bytes),
+            [many, few] if many > 4 * few => Some(u16::from_be_bytes),
+            _ => None,
+        },
+    }
 }
 
 /// How many bytes are zero at even and at odd places, of a quarter of all at least: of Latin

@@ -23,10 +23,11 @@ fn bare_word(text: &str, error: &toml::de::Error) -> Option<CaseError> {
 
 /// Every key must be one of those of `schema`, and none that is required may be missing.
 pub(crate) fn check(file: &Table, schema: &Value) -> Result<(), CaseError> {
-    for key in file.keys() {
-        if schema["properties"][key].is_null() {
-            return Err(unknown(key, "", schema));
-        }
+    let strange = || file.keys().filter(|key| schema["properties"][key.as_str()].is_null());
+    // A section of another kind of file says more than a misspelt one.
+    let of_other_kind = strange().find(|key| other_kind(key, "").is_some());
+    if let Some(key) = of_other_kind.or_else(|| strange().next()) {
+        return Err(unknown(key, "", schema));
     }
     for section in required(schema) {
         if !file.contains_key(section) {
@@ -93,11 +94,20 @@ fn needs(form: &Value) -> String {
 /// Where a section belongs that this kind of file does not have.
 fn other_kind(key: &str, section: &str) -> Option<&'static str> {
     match key {
+        "line_load" if section == "contact" => {
+            Some("it makes a line contact, for `creepage solve` and `creepage roll`")
+        }
         _ if !section.is_empty() => None,
+        "relaxation" => Some("it belongs to line contacts, for `creepage solve`"),
+        "bearing" | "ball" | "inner" | "outer" => {
+            Some("it belongs to bearing files, for `creepage bearing`")
+        }
+        "start" => Some("it belongs to wheelset files that roll, for `creepage roll`"),
         "statics" => Some("it belongs to statics files, for `creepage statics`"),
         "chain" | "page" => Some("it belongs to sweep files, for `creepage sweep`"),
-        "wheel" | "rail" | "track" | "wheelset" => {
-            Some("it belongs to wheelset files, for `creepage conicity`")
+        "wheel" | "wheel_left" | "wheel_right" | "rail" | "rail_left" | "rail_right" | "track"
+        | "wheelset" | "motion" | "materials" => {
+            Some("it belongs to wheelset files, for `creepage wheelset`")
         }
         "creepage" | "wanted" | "solve" | "gap" => {
             Some("it belongs to case files, for `creepage solve`")
@@ -123,6 +133,24 @@ pub(crate) fn similar<'a>(key: &str, names: &[&'a str]) -> Option<&'a str> {
         .filter(|(likeness, _)| *likeness > ALIKE)
         .max_by(|one, other| one.0.total_cmp(&other.0))
         .map(|(_, name)| name)
+}
+
+/// The name that `word` is but for capitals, or for two letters of a long one.
+///
+/// ```
+/// use creepage_study::misspelt;
+/// let names = ["longitudinal", "lateral_force", "y"];
+/// assert_eq!(misspelt("longitudnal", &names), Some("longitudinal"));
+/// assert_eq!(misspelt("Y", &names), Some("y"));
+/// assert_eq!(misspelt("lateral_n", &names), None);
+/// ```
+#[must_use]
+pub fn misspelt<'a>(word: &str, names: &[&'a str]) -> Option<&'a str> {
+    const LONG: usize = 5;
+    let word = word.to_ascii_lowercase();
+    let distance = |name: &str| strsim::osa_distance(&word, name);
+    let is_it = |name: &&str| distance(name) == 0 || (name.len() >= LONG && distance(name) <= 2);
+    names.iter().copied().filter(is_it).min_by_key(|name| distance(name))
 }
 
 /// Its types, the longer names first, and what they are.

@@ -40,6 +40,18 @@ pub enum Caution {
         /// The theory.
         theory: &'static str,
     },
+    /// The coefficient of friction is one that no pair of bodies has.
+    LargeFriction {
+        /// The coefficient.
+        friction: f64,
+    },
+    /// The force is larger than friction allows: the theory knows no slip.
+    BeyondFriction {
+        /// The theory.
+        theory: &'static str,
+        /// The tangential force over `mu N`.
+        share: f64,
+    },
     /// The theory neglects the layer between the bodies.
     NoLayer {
         /// The theory.
@@ -82,6 +94,11 @@ pub enum Caution {
     HighPressure {
         /// The peak pressure (Pa).
         peak_pressure: f64,
+        /// The combined shear modulus (Pa).
+        shear_modulus: f64,
+    },
+    /// Both bodies are stiffer than any solid: a modulus may be in another unit.
+    HighModulus {
         /// The combined shear modulus (Pa).
         shear_modulus: f64,
     },
@@ -196,6 +213,11 @@ pub enum Caution {
         /// The smaller Peclet number of both bodies.
         peclet: f64,
     },
+    /// The surfaces get so hot that steel transforms.
+    Hot {
+        /// The highest temperature of the contact (°C).
+        temperature: f64,
+    },
     /// A creepage that a wheel does not have: it may be in per cent or in degrees.
     LargeCreepage {
         /// `longitudinal` or `lateral`.
@@ -230,6 +252,8 @@ impl Caution {
 
     /// Peclet number below which temperatures are a caution.
     pub const PECLET: f64 = 5.0;
+    /// Temperature (°C) above which they are one: plain steel becomes austenite from 723 °C on.
+    pub const HOT: f64 = 720.0;
 
     /// Whether a metal flows under a peak pressure (Pa), for its shear modulus and, where it is given, its
     /// shear yield stress (Pa).
@@ -298,11 +322,11 @@ impl Caution {
         let coarse = ["x", "y"].into_iter().zip(areas.gap_points()).filter_map(|(along, n)| {
             n.filter(|n| *n < Self::MIN_GAP_POINTS).map(|points| Self::CoarseGap { points, along })
         });
-        let high = Self::high_pressure(peak, areas.pair().shear_modulus());
+        let high = Self::moduli(peak, areas.pair().shear_modulus());
         let error = areas.peak_pressure().error;
         let uncertain = (error > Self::UNCERTAIN * peak)
             .then_some(Self::UncertainPeak { peak_pressure: peak, error });
-        high.into_iter().chain(pressure).chain(uncertain).chain(coarse)
+        high.chain(pressure).chain(uncertain).chain(coarse)
     }
 
     /// Whether it says what another does: the numbers of a rough profile matter once.

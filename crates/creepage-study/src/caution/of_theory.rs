@@ -38,8 +38,10 @@ impl Caution {
             matches!(caution, Self::Accuracy { prescribed, reached } if reached > prescribed)
         });
         let [friction, layer] = Self::between_surfaces(theory, contact);
-        let all = [status, dissimilar, one_way, friction, layer, accuracy].into_iter().flatten();
-        let all = all.chain(Self::slip_beyond(contact));
+        let beyond = Self::beyond_friction(theory, solution);
+        let large = contact.friction().and_then(Self::large_friction);
+        let all = [status, dissimilar, one_way, friction, layer, accuracy, beyond, large];
+        let all = all.into_iter().flatten().chain(Self::slip_beyond(contact));
         all.chain(contact.areas().into_iter().flat_map(|areas| Self::of_areas(areas))).collect()
     }
 
@@ -51,7 +53,19 @@ impl Caution {
             None => Self::dissimilar(theory, contact.kappa_over_mu()),
         };
         let between = Self::between_surfaces(theory, contact).into_iter().flatten();
-        dissimilar.into_iter().chain(between).chain(Self::slip_beyond(contact)).collect()
+        let large = contact.friction().and_then(Self::large_friction);
+        let all = dissimilar.into_iter().chain(between).chain(Self::slip_beyond(contact));
+        all.chain(large).collect()
+    }
+
+    /// Force over `mu N` from which it is beyond friction: rounding and error bars lie below.
+    const LARGEST_SHARE: f64 = 1.001;
+
+    /// A force that is larger than friction allows.
+    fn beyond_friction(theory: &TheorySpec, solution: &Solution) -> Option<Self> {
+        let share = solution.force.fx.hypot(solution.force.fy);
+        (share > Self::LARGEST_SHARE)
+            .then_some(Self::BeyondFriction { theory: theory.facts().name, share })
     }
 
     /// What a theory neglects between the surfaces: a law of friction, a layer.

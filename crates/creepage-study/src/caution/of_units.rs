@@ -31,7 +31,7 @@ impl Caution {
         let [along, across] = hertz.relative_curvatures();
         let radius = smallest_radius.unwrap_or(0.5 / along.max(across));
         let contact = Self::large_contact(hertz.ellipse().major(), radius);
-        let pressure = Self::high_pressure(hertz.peak_pressure(), hertz.pair().shear_modulus());
+        let pressure = Self::moduli(hertz.peak_pressure(), hertz.pair().shear_modulus());
         contact.into_iter().chain(pressure).chain(Self::large_creepage(creepage)).collect()
     }
 
@@ -43,7 +43,7 @@ impl Caution {
         [peak_pressure, shear_modulus]: [f64; 2],
     ) -> Vec<Self> {
         let contact = Self::large_contact(half_width, radius);
-        contact.into_iter().chain(Self::high_pressure(peak_pressure, shear_modulus)).collect()
+        contact.into_iter().chain(Self::moduli(peak_pressure, shear_modulus)).collect()
     }
 
     /// What an ellipse is in doubt for, whatever it does: units, a metal that yields.
@@ -67,10 +67,22 @@ impl Caution {
         widths.find_map(|(width, radius)| Self::large_contact(width, radius))
     }
 
-    /// A pressure (Pa) above the shear modulus (Pa).
-    pub(crate) fn high_pressure(peak_pressure: f64, shear_modulus: f64) -> Option<Self> {
-        (peak_pressure > shear_modulus)
-            .then_some(Self::HighPressure { peak_pressure, shear_modulus })
+    /// Combined shear modulus (Pa) above which both bodies are harder than diamond (535e9).
+    const DIAMOND: f64 = 600e9;
+    /// Coefficient of friction above which it is a caution: clean metals in air and rubber stay below.
+    pub(super) const FRICTION: f64 = 2.0;
+
+    /// A pressure (Pa) above the shear modulus (Pa), or a modulus above that of any solid.
+    pub(crate) fn moduli(peak_pressure: f64, shear_modulus: f64) -> impl Iterator<Item = Self> {
+        let soft = (peak_pressure > shear_modulus)
+            .then_some(Self::HighPressure { peak_pressure, shear_modulus });
+        let hard = (shear_modulus > Self::DIAMOND).then_some(Self::HighModulus { shear_modulus });
+        soft.into_iter().chain(hard)
+    }
+
+    /// A coefficient of friction that no pair of bodies has.
+    pub(crate) fn large_friction(friction: f64) -> Option<Self> {
+        (friction > Self::FRICTION).then_some(Self::LargeFriction { friction })
     }
 
     /// The components of a creepage that no wheel has.
@@ -86,7 +98,11 @@ impl Caution {
     pub fn is_of_units(&self) -> bool {
         matches!(
             self,
-            Self::LargeContact { .. } | Self::HighPressure { .. } | Self::LargeCreepage { .. }
+            Self::LargeContact { .. }
+                | Self::HighPressure { .. }
+                | Self::HighModulus { .. }
+                | Self::LargeFriction { .. }
+                | Self::LargeCreepage { .. }
         )
     }
 }

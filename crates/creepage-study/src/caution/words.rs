@@ -56,6 +56,12 @@ impl fmt::Display for Caution {
                 "{theory} takes friction as constant at its largest value here; exact follows it with the speed \
                  of slip and across the contact, fastsim on ellipses"
             ),
+            Self::BeyondFriction { theory, share } => write!(
+                f,
+                "{theory} knows no slip: its force is {} times what friction allows, mu N; it holds at small creepage \
+                 and spin",
+                significant(share, 3)
+            ),
             Self::NoLayer { theory } => write!(
                 f,
                 "{theory} leaves out the layer between the bodies; exact and fastsim count it"
@@ -86,12 +92,15 @@ impl fmt::Display for Caution {
                 "at the finest resolution the error bars reach {reached:.2e} of mu N, above the \
                  prescribed accuracy of {prescribed:e}"
             ),
-            Self::NoHeat { .. } | Self::RunsBack { .. } | Self::SlowHeat { .. } => {
-                self.write_heat(f)
-            }
-            Self::LargeContact { .. } | Self::HighPressure { .. } | Self::LargeCreepage { .. } => {
-                self.write_units(f)
-            }
+            Self::NoHeat { .. }
+            | Self::RunsBack { .. }
+            | Self::SlowHeat { .. }
+            | Self::Hot { .. } => self.write_heat(f),
+            Self::LargeContact { .. }
+            | Self::HighPressure { .. }
+            | Self::HighModulus { .. }
+            | Self::LargeFriction { .. }
+            | Self::LargeCreepage { .. } => self.write_units(f),
         }
     }
 }
@@ -211,6 +220,12 @@ impl Caution {
                 Self::PECLET,
                 6.3 * peclet.max(0.1).powf(-1.6)
             ),
+            Self::Hot { temperature } => write!(
+                f,
+                "the contact reaches {} °C: above {} °C steel transforms, and flows; speeds are in m/s",
+                significant(temperature, 4),
+                Self::HOT
+            ),
             _ => Ok(()),
         }
     }
@@ -265,6 +280,17 @@ impl Caution {
                  moduli, radii and load (Pa, m, N)",
                 quantity(peak_pressure, "Pa", 4),
                 quantity(shear_modulus, "Pa", 4)
+            ),
+            Self::HighModulus { shear_modulus } => write!(
+                f,
+                "the combined shear modulus of {} is above that of diamond: check the units of moduli (Pa)",
+                quantity(shear_modulus, "Pa", 4)
+            ),
+            Self::LargeFriction { friction } => write!(
+                f,
+                "the coefficient of friction of {} is above {}: it is a ratio of forces, not per cent",
+                significant(friction, 4),
+                Self::FRICTION
             ),
             Self::LargeCreepage { component, value } => write!(
                 f,

@@ -101,7 +101,9 @@ pub enum GapCaseError {
     #[error("[contact] surface = \"curved\" finds the creepage to a longitudinal_force alone")]
     CurvedWanted,
     /// A history on a curve.
-    #[error("[contact] surface = \"curved\" is for steady rolling: a history is rolled in a plane")]
+    #[error(
+        "[contact] surface = \"curved\" is for steady rolling: histories and the pressure alone are in a plane"
+    )]
     CurvedSteady,
     /// A curve that is not given.
     #[error("[contact] surface = \"curved\" needs [gap] groove: other shapes are given in a plane")]

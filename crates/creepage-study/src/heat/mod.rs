@@ -76,15 +76,18 @@ impl Heat {
         longitudinal: f64,
         rows: Option<Vec<HeatedRow>>,
         theory: &'static str,
-    ) -> (Option<Self>, Option<Caution>) {
-        let Some(rows) = rows else { return (None, Some(Caution::NoHeat { theory })) };
+    ) -> (Option<Self>, Vec<Caution>) {
+        let Some(rows) = rows else { return (None, vec![Caution::NoHeat { theory }]) };
         let Ok(pair) = HeatedPair::rolling(wanted.solids, speed, longitudinal, wanted.bulk) else {
-            return (None, Some(Caution::RunsBack { longitudinal }));
+            return (None, vec![Caution::RunsBack { longitudinal }]);
         };
         let heat = Self::new(pair, rows);
         let least = heat.peclet_upper.min(heat.peclet_lower);
         let slow = (least < Caution::PECLET).then_some(Caution::SlowHeat { peclet: least });
-        (Some(heat), slow)
+        let temperature = heat.contact_temperature_max_c;
+        let hot = (temperature > Caution::HOT).then_some(Caution::Hot { temperature });
+        let cautions = slow.into_iter().chain(hot).collect();
+        (Some(heat), cautions)
     }
 
     fn new(pair: HeatedPair, rows: Vec<HeatedRow>) -> Self {
@@ -205,10 +208,10 @@ impl SolvedCase {
             let by_slip: f64 = rows.iter().map(|row| row.width * row.heat.power()).sum();
             by_slip >= 0.5 * speed * self.power_per_metre()
         });
-        let (heat, caution) =
+        let (heat, cautions) =
             Heat::of(&wanted, speed, creepage.longitudinal, rows, self.theory.name);
         self.heat = heat;
-        self.cautions.extend(caution);
+        self.cautions.extend(cautions);
         self
     }
 

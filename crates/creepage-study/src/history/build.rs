@@ -175,6 +175,12 @@ impl SmoothFile {
         let radii = line_radii([&self.upper, &self.lower], own.radius_rolling)?;
         let line = LineContact::new(pair, radii, load).map_err(&invalid)?;
         let length = own.length.map(|length| length / line.half_width());
+        if let Some(value) =
+            own.length.filter(|_| length.is_some_and(|n| !(10.0..=1e6).contains(&n)))
+        {
+            let valid = "10 to 1e6 half-widths of the contact, as a line";
+            return Err(invalid(InvalidValue { quantity: "length", value, valid }).into());
+        }
         let poisson = pair.poisson();
         let scaling = Scaling {
             length: line.half_width(),

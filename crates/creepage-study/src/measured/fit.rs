@@ -326,6 +326,16 @@ fn check(problem: &mut Problem, found: Minimum, top: f64) -> Result<Minimum, Fit
     let matters = |k: usize| size(&found.jacobian[k]) > NO_INFLUENCE * size(&scale);
     let in_range = found.at[0].exp() < SEARCHED[1] * top;
     if !matters(0) || !in_range {
+        let along: f64 = predicted
+            .iter()
+            .zip(&problem.measured)
+            .flat_map(|(found, (measured, _))| found.force.into_iter().zip(*measured))
+            .filter_map(|(found, measured)| Some(found * measured?))
+            .sum();
+        if along < 0.0 {
+            let why = "forces have the sign opposite to that of the theory: they are to be those on the lower body";
+            return Err(FitError::Undetermined { what: "mu", why });
+        }
         let why = "they lie so far below sliding that any larger value fits as well";
         return Err(FitError::Undetermined { what: "mu", why });
     }

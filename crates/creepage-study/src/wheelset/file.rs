@@ -198,7 +198,16 @@ impl WheelsetFile {
     ) -> Result<WheelsetOnTrack, WheelsetFileError> {
         let mut wheel = |side| self.wheel(side, directory, notes);
         let (left, right) = (wheel(Side::Left)?, wheel(Side::Right)?);
-        let wheelset = Wheelset::new(left, right, self.wheelset.back_to_back)
+        let back_to_back = self.wheelset.back_to_back;
+        let is_valid = (0.0..=WIDEST).contains(&back_to_back);
+        checked(
+            "wheelset",
+            "back_to_back",
+            back_to_back,
+            is_valid,
+            "zero, or positive, at most 10 m",
+        )?;
+        let wheelset = Wheelset::new(left, right, back_to_back)
             .map_err(WheelsetFileError::geometry("wheelset"))?;
         let place = self.track.place()?;
         let mut rail = |side| self.rail(side, place, directory, notes);
@@ -462,8 +471,9 @@ impl TrackSection {
 
     fn place(&self) -> Result<Place, CaseError> {
         const TRACK: &str = "track";
+        // Beyond any track: millimetres.
         let positive = |key, value: f64| {
-            checked(TRACK, key, value, value > 0.0 && value.is_finite(), "positive and finite")
+            checked(TRACK, key, value, value > 0.0 && value <= WIDEST, "positive, at most 10 m")
         };
         let gauge = self.gauge.map(|_| "gauge").or(self.gauge_height.map(|_| "gauge_height"));
         if self.rail_height.is_some() && self.rail_position.is_none() {
@@ -471,8 +481,8 @@ impl TrackSection {
         }
         match (self.rail_position, gauge) {
             (Some(y), None) => {
-                let is_valid = y >= 0.0 && y.is_finite();
-                let valid = "zero, or positive and finite";
+                let is_valid = (0.0..=WIDEST).contains(&y);
+                let valid = "zero, or positive, at most 10 m";
                 let y = checked(TRACK, "rail_position", y, is_valid, valid)?;
                 Ok(self.rail_height.map_or(Place::Origin(y), |z| Place::At([y, z])))
             }
@@ -494,6 +504,9 @@ impl TrackSection {
         }
     }
 }
+
+/// Width of a track (m) that none has.
+const WIDEST: f64 = 10.0;
 
 /// Name or points of a profile, and the file of slices.
 type SurfaceNames<'a> = (Option<&'a str>, Option<&'a [[f64; 2]]>, Option<&'a str>);

@@ -14,8 +14,8 @@ pub struct WheelsetReport {
     pub solved: SolvedWheelset,
     /// Wear and fatigue numbers of each contact of the left and of the right wheel; empty where none are wanted.
     pub(super) damage: [Vec<Damage>; 2],
-    /// Temperatures of each contact, and a caution; empty where none are wanted.
-    pub(super) heat: [Vec<(Option<Heat>, Option<Caution>)>; 2],
+    /// Temperatures of each contact, and the cautions about them; empty where none are wanted.
+    pub(super) heat: [Vec<(Option<Heat>, Vec<Caution>)>; 2],
 }
 
 impl From<SolvedWheelset> for WheelsetReport {
@@ -52,8 +52,9 @@ impl WheelsetReport {
     pub fn cautions(&self) -> Vec<(Side, Caution)> {
         let mut all = cautions(&self.solved, |side| self.damage(side));
         for (side, heat) in [Side::Left, Side::Right].into_iter().zip(&self.heat) {
-            let of_heat = heat.iter().find_map(|(_, caution)| *caution);
-            all.extend(of_heat.map(|caution| (side, caution)));
+            // Of several contacts the first that has any says so.
+            let of_heat = heat.iter().map(|(_, own)| own).find(|own| !own.is_empty());
+            all.extend(of_heat.into_iter().flatten().map(|caution| (side, *caution)));
         }
         all
     }
@@ -120,6 +121,7 @@ fn of_contact(contact: &SolvedContact, damage: Option<&Damage>) -> Vec<Caution> 
         .into_iter()
         .chain(at_rest)
         .chain(slides)
+        .chain(Caution::large_friction(contact.friction))
         .chain(yields)
         .chain(Caution::turns(contact.turn))
         .chain(contact.varying.filter(|ends| ends.is_cut).map(|_| Caution::CutPatch))

@@ -60,7 +60,7 @@ fn of_contact(
     contact: &SolvedContact,
     is_reversed: bool,
     (wanted, speed, theory): (&HeatWanted, f64, &'static str),
-) -> (Option<Heat>, Option<Caution>) {
+) -> (Option<Heat>, Vec<Caution>) {
     let RollingCreepage { longitudinal, lateral, spin, .. } = contact.creepage;
     // Heat is left behind: elements as they roll forward.
     let sense = if is_reversed { -1.0 } else { 1.0 };
@@ -72,6 +72,6 @@ fn of_contact(
     } else {
         of_elements(&elements, contact.scaling, contact.load(), creepage, speed)
     };
-    let (heat, caution) = Heat::of(wanted, speed, creepage.longitudinal, rows, theory);
-    (if is_reversed { heat.map(Heat::reversed) } else { heat }, caution)
+    let (heat, cautions) = Heat::of(wanted, speed, creepage.longitudinal, rows, theory);
+    (if is_reversed { heat.map(Heat::reversed) } else { heat }, cautions)
 }

@@ -12,6 +12,7 @@ mod polynomial;
 mod reach;
 mod section;
 mod turned;
+mod wells;
 
 use std::fmt;
 use std::sync::Arc;
@@ -52,6 +53,12 @@ impl Rectangle {
     #[must_use]
     pub fn within(&self, other: &Self) -> Self {
         let part = |one: [f64; 2], other: [f64; 2]| [one[0].max(other[0]), one[1].min(other[1])];
+        Self { x: part(self.x, other.x), y: part(self.y, other.y) }
+    }
+
+    /// The smallest rectangle that holds both.
+    pub(crate) fn around(&self, other: &Self) -> Self {
+        let part = |one: [f64; 2], other: [f64; 2]| [one[0].min(other[0]), one[1].max(other[1])];
         Self { x: part(self.x, other.x), y: part(self.y, other.y) }
     }
 }

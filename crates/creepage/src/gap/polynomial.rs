@@ -1,6 +1,7 @@
 //! Gap as a polynomial in x and y.
 
 use super::error::GapError;
+use super::wells::{Well, wells};
 use crate::check;
 
 /// One term `coefficient x^i y^j` of a polynomial gap, in metres throughout.
@@ -17,8 +18,9 @@ pub struct Term {
 /// Coefficients by power of x, each a polynomial in y.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Polynomial {
-    terms: Vec<Term>,
     columns: Vec<Vec<f64>>,
+    /// The deepest first.
+    wells: Vec<Well>,
 }
 
 impl Polynomial {
@@ -40,11 +42,13 @@ impl Polynomial {
             column.resize(column.len().max(y + 1), 0.0);
             column[y] = coefficient;
         }
-        Ok(Self { terms: terms.to_vec(), columns })
+        let at = |[x, y]: [f64; 2]| columns_at(&columns, x, y);
+        let wells = wells(terms, at);
+        Ok(Self { columns, wells })
     }
 
     pub(super) fn at(&self, x: f64, y: f64) -> f64 {
-        self.columns.iter().rev().fold(0.0, |sum, column| sum * x + horner(column, y))
+        columns_at(&self.columns, x, y)
     }
 
     pub(super) fn fill_row(&self, y: f64, xs: &[f64], out: &mut [f64]) {
@@ -59,11 +63,14 @@ impl Polynomial {
         }
     }
 
-    /// Lengths at which the terms reach `height`: none for a constant.
-    pub(super) fn lengths(&self, height: f64) -> impl Iterator<Item = f64> {
-        self.terms.iter().filter(|term| term.x + term.y > 0 && term.coefficient != 0.0).map(
-            move |term| (height / term.coefficient.abs()).powf(f64::from(term.x + term.y).recip()),
-        )
+    /// Its wells, the deepest first; one at least.
+    pub(super) fn wells(&self) -> &[Well] {
+        &self.wells
+    }
+
+    /// The gap in the deepest of them.
+    pub(super) fn least(&self) -> f64 {
+        self.wells.first().map_or(0.0, |well| well.height)
     }
 
     pub(super) fn power_of_x(&self) -> usize {
@@ -84,19 +91,10 @@ impl Polynomial {
         let slopes = self.columns.get(1).into_iter().flatten();
         self.power_of_x() == 2 && slopes.into_iter().all(|coefficient| *coefficient == 0.0)
     }
+}
 
-    /// Whether it may fall somewhere on the way outwards: not where all powers are even and rise.
-    pub(super) fn turns_down(&self) -> bool {
-        let rises = |term: &Term| {
-            [term.x, term.y].iter().all(|power| power.is_multiple_of(2)) && term.coefficient >= 0.0
-        };
-        !self.terms.iter().filter(|term| term.x + term.y > 0).all(rises)
-    }
-
-    /// The gap at the origin.
-    pub(super) fn constant(&self) -> f64 {
-        self.at(0.0, 0.0)
-    }
+fn columns_at(columns: &[Vec<f64>], x: f64, y: f64) -> f64 {
+    columns.iter().rev().fold(0.0, |sum, column| sum * x + horner(column, y))
 }
 
 fn horner(coefficients: &[f64], x: f64) -> f64 {

@@ -2,6 +2,7 @@
 
 use super::polynomial::Polynomial;
 use super::section::Section;
+use super::wells::Well;
 use super::{Gap, Rectangle, Shape};
 
 impl Gap {
@@ -9,10 +10,39 @@ impl Gap {
     /// `None` when no rectangle was found: the gap stays low however far one goes.
     pub(crate) fn reach(&self, height: f64) -> Option<Rectangle> {
         match &self.shape {
-            Shape::Polynomial(polynomial) => reach_of_polynomial(polynomial, height),
+            Shape::Polynomial(polynomial) => {
+                // Where the gap is nowhere below the height, its deepest well is what is looked at.
+                let [first, others @ ..] = polynomial.wells() else { return None };
+                let below = others.iter().filter(|well| well.height < height);
+                let mut all = reach_of_well(polynomial, first, height)?;
+                for well in below {
+                    all = all.around(&reach_of_well(polynomial, well, height)?);
+                }
+                Some(all)
+            }
             Shape::Section(section) => reach_of_section(section, height, &self.domain()),
             Shape::Grid(_) | Shape::Function(_) => Some(self.domain()),
             Shape::Turned(turned) => turned.gap().reach(height).map(|own| turned.around(own)),
+        }
+    }
+
+    /// The least height, where it is known: of a polynomial.
+    pub(crate) fn least(&self) -> Option<f64> {
+        match &self.shape {
+            Shape::Polynomial(polynomial) => Some(polynomial.least()),
+            Shape::Turned(turned) => turned.gap().least(),
+            _ => None,
+        }
+    }
+
+    /// Wells below a height, where they are known.
+    pub(crate) fn wells_below(&self, height: f64) -> usize {
+        match &self.shape {
+            Shape::Polynomial(polynomial) => {
+                polynomial.wells().iter().filter(|well| well.height < height).count()
+            }
+            Shape::Turned(turned) => turned.gap().wells_below(height),
+            _ => 0,
         }
     }
 
@@ -23,7 +53,7 @@ impl Gap {
         match &self.shape {
             Shape::Turned(turned) => turned.gap().likely_height(compliance_force),
             Shape::Polynomial(polynomial) => {
-                polynomial.constant() + likely_depth(polynomial, compliance_force)
+                polynomial.least() + likely_depth(polynomial, compliance_force)
             }
             Shape::Section(section) => {
                 let heights = section.y().iter().map(|&y| section.row(y)[0]);
@@ -55,22 +85,24 @@ fn above_the_least(heights: impl Iterator<Item = f64> + Clone, depth: f64) -> f6
 /// Depth at which the shortest length of the terms, times the depth, is the load over `E*`.
 fn likely_depth(polynomial: &Polynomial, compliance_force: f64) -> f64 {
     let (mut low, mut high) = (1e-18_f64, 1e9_f64);
+    let deepest = polynomial.wells().first();
     for _ in 0..40 {
         let middle = (low * high).sqrt();
-        let length = polynomial.lengths(middle).fold(f64::INFINITY, f64::min);
+        let lengths = deepest.into_iter().flat_map(|well| well.lengths(middle));
+        let length = lengths.fold(f64::INFINITY, f64::min);
         *(if length * middle > compliance_force { &mut high } else { &mut low }) = middle;
     }
     (low * high).sqrt()
 }
 
-/// The smallest square about the origin beyond which, as far as the lengths of its terms
+/// The smallest square about a well beyond which, as far as the lengths of its terms
 /// reach, no square's sides come below the height.
-fn reach_of_polynomial(polynomial: &Polynomial, height: f64) -> Option<Rectangle> {
+fn reach_of_well(polynomial: &Polynomial, well: &Well, height: f64) -> Option<Rectangle> {
     const BEYOND: f64 = 8.0;
     const MAX_STEPS: usize = 80;
-    let depth = (height - polynomial.constant()).abs().max(f64::MIN_POSITIVE);
+    let depth = (height - well.height).abs().max(f64::MIN_POSITIVE);
     let (mut shortest, mut longest) = (f64::INFINITY, 0.0_f64);
-    for length in polynomial.lengths(depth) {
+    for length in well.lengths(depth) {
         shortest = shortest.min(length);
         longest = longest.max(length);
     }
@@ -82,17 +114,17 @@ fn reach_of_polynomial(polynomial: &Polynomial, height: f64) -> Option<Rectangle
     let closed: Vec<bool> = sizes
         .take_while(|&half| half > shortest / BEYOND)
         .take(MAX_STEPS)
-        .map(|half| perimeter_is_above(polynomial, half, height))
+        .map(|half| perimeter_is_above(polynomial, (well.place, half), height))
         .collect();
     // A well may lie between two squares whose sides are above: no square inside that ring will do.
     let rings = (0..closed.len().saturating_sub(1)).take_while(|&k| closed[k]);
-    let well = |k: &usize| {
+    let another = |k: &usize| {
         let half = largest * (-(*k as f64)).exp2();
-        closed[k + 1] && polynomial.turns_down() && ring_is_below(polynomial, half, height)
+        closed[k + 1] && well.turns_down() && ring_is_below(polynomial, (well.place, half), height)
     };
-    if let Some(at) = rings.into_iter().find(well) {
+    if let Some(at) = rings.into_iter().find(another) {
         let half = largest * (-(at as f64)).exp2();
-        return Some(Rectangle { x: [-half, half], y: [-half, half] });
+        return Some(about(well.place, half));
     }
     // From the outermost inwards: the first open square ends the search. Where the outermost is
     // open (a fit that turns down far away), the innermost two closed in a row do.
@@ -102,27 +134,36 @@ fn reach_of_polynomial(polynomial: &Polynomial, height: f64) -> Option<Rectangle
         open => open - 1,
     };
     let half = largest * (-(at as f64)).exp2();
-    Some(Rectangle { x: [-half, half], y: [-half, half] })
+    Some(about(well.place, half))
+}
+
+fn about(place: [f64; 2], half: f64) -> Rectangle {
+    let [x, y] = place.map(|middle| [middle - half, middle + half]);
+    Rectangle { x, y }
 }
 
 /// Whether the gap is below a height somewhere between a square and one of half its size.
-fn ring_is_below(polynomial: &Polynomial, half: f64, height: f64) -> bool {
+fn ring_is_below(polynomial: &Polynomial, ([x, y], half): ([f64; 2], f64), height: f64) -> bool {
     const RING_STEPS: i32 = 32;
     let place = |i: i32| half * f64::from(i) / f64::from(RING_STEPS);
     let in_ring = |i: i32, j: i32| 2 * i.abs().max(j.abs()) >= RING_STEPS;
     (-RING_STEPS..=RING_STEPS).any(|i| {
         (-RING_STEPS..=RING_STEPS)
-            .any(|j| in_ring(i, j) && polynomial.at(place(i), place(j)) < height)
+            .any(|j| in_ring(i, j) && polynomial.at(x + place(i), y + place(j)) < height)
     })
 }
 
-fn perimeter_is_above(polynomial: &Polynomial, half: f64, height: f64) -> bool {
+fn perimeter_is_above(
+    polynomial: &Polynomial,
+    ([x0, y0], half): ([f64; 2], f64),
+    height: f64,
+) -> bool {
     const SIDE_STEPS: i32 = 48;
     (-SIDE_STEPS..=SIDE_STEPS).all(|i| {
         let t = half * f64::from(i) / f64::from(SIDE_STEPS);
         [(half, t), (-half, t), (t, half), (t, -half)]
             .into_iter()
-            .all(|(x, y)| polynomial.at(x, y) > height)
+            .all(|(x, y)| polynomial.at(x0 + x, y0 + y) > height)
     })
 }
 

@@ -61,7 +61,8 @@ impl Search {
             if !matches!(found, Err(NormalError::Unbounded { .. })) {
                 break;
             }
-            approach = gap.at(0.0, 0.0) + 0.1 * (approach - gap.at(0.0, 0.0));
+            let lowest = gap.least().unwrap_or_else(|| gap.at(0.0, 0.0));
+            approach = lowest + 0.1 * (approach - lowest);
             found = Overlap::find(gap, approach);
         }
         let mut overlap = found?;

@@ -22,12 +22,17 @@ impl Overlap {
     /// Looks for the overlap on lattices that close in on it.
     pub(super) fn find(gap: &Gap, approach: f64) -> Result<Self, NormalError> {
         const CELLS: usize = 48;
+        /// Where several wells lie far apart.
+        const MOST_CELLS: usize = 768;
         const LOOKS: usize = 60;
         const FILLED: f64 = 0.7;
         let mut rectangle = gap.reach(approach).ok_or(NormalError::Unbounded { approach })?;
         let mut deepest = f64::NEG_INFINITY;
+        // A lattice that closes in on one well would lose the others.
+        let has_several = gap.wells_below(approach) > 1;
+        let mut cells = CELLS;
         for _ in 0..LOOKS {
-            let lattice = Lattice::dividing(&rectangle, [CELLS; 2]);
+            let lattice = Lattice::dividing(&rectangle, [cells; 2]);
             let depths = lattice.depths(gap, approach)?;
             let (at, depth) = greatest(&depths);
             let improves = depth > deepest;
@@ -40,15 +45,17 @@ impl Overlap {
                 rectangle = around(&lattice, at).within(&rectangle);
                 continue;
             };
-            let closer = lattice.rectangle(widened(columns, CELLS), widened(rows, CELLS));
+            let closer = lattice.rectangle(widened(columns, cells), widened(rows, cells));
             let filled = |axis: usize| closer.size()[axis] > FILLED * rectangle.size()[axis];
             if !(filled(0) && filled(1)) {
                 rectangle = closer;
+            } else if has_several && cells < MOST_CELLS && is_coarse(&lattice, &depths) {
+                cells *= 2;
             } else if depth > 0.0 {
                 let inside = |cell: usize| depths[cell] > 0.0;
                 let chords = mean_chords(&lattice, inside).unwrap_or(lattice.step);
-                let cells = depths.iter().filter(|&&depth| depth > 0.0).count();
-                let area = cells as f64 * lattice.cell_area();
+                let overlapping = depths.iter().filter(|&&depth| depth > 0.0).count();
+                let area = overlapping as f64 * lattice.cell_area();
                 return Ok(Self { rectangle: closer, chords, area, depth });
             } else if improves {
                 rectangle = around(&lattice, at).within(&rectangle);
@@ -56,8 +63,16 @@ impl Overlap {
                 break;
             }
         }
-        Err(NormalError::NoContact { approach, least_gap: approach - deepest })
+        let least_gap = (approach - deepest).min(gap.least().unwrap_or(f64::INFINITY));
+        Err(NormalError::NoContact { approach, least_gap })
     }
+}
+
+/// Whether few cells overlap across, so that another place of overlap may lie between them.
+fn is_coarse(lattice: &Lattice, depths: &[f64]) -> bool {
+    const FEW: f64 = 4.0;
+    let chords = mean_chords(lattice, |cell| depths[cell] > 0.0);
+    chords.is_none_or(|chords| (0..2).any(|axis| chords[axis] < FEW * lattice.step[axis]))
 }
 
 /// Whether a cell overlaps at its centre, or would if it went on as steeply as to a neighbour.

@@ -168,3 +168,45 @@ fn ellipses_askew_at_random_are_those_of_hertz() {
     assert!(covered.iter().all(|count| 20 * count >= 19 * COUNT), "{covered:?}");
     assert!(worst < 0.01, "{worst}");
 }
+
+/// A tilt moves a paraboloid and lowers its bottom, whatever its size: Hertz's contact about another place, at an approach
+/// that is counted from the origin. Tolerances as of the one without a tilt.
+#[test]
+fn a_tilted_paraboloid_is_hertzs_about_its_bottom() {
+    let hertz = hertz(0.4, 0.3, 3e4);
+    for tilt in [1e-6, 1e-3, 0.03, 0.2, 1.0] {
+        let terms = [(2, 0, 1.25), (0, 2, 0.5 / 0.3), (0, 1, tilt)];
+        let terms = terms.map(|(x, y, coefficient)| Term { x, y, coefficient });
+        let gap = Gap::polynomial(&terms).unwrap();
+        let contact = NormalContact::under_load(&gap, steel(), 3e4, Resolution::STANDARD).unwrap();
+        let (bottom, height) = (-0.3 * tilt, -0.15 * tilt * tilt);
+        let approach = contact.approach();
+        let off = (approach.value - height - hertz.approach()).abs();
+        assert!(off < approach.error && off < 1e-3 * hertz.approach(), "{tilt}: {off}");
+        let middle = contact.centroid();
+        let (a, b) = (hertz.ellipse().a(), hertz.ellipse().b());
+        assert!(middle[0].abs() < 1e-3 * a && (middle[1] - bottom).abs() < 1e-3 * b, "{tilt}");
+        let peak = contact.peak_pressure().value / hertz.peak_pressure();
+        assert!((peak - 1.0).abs() < 2e-3, "{tilt}: peak {peak}");
+    }
+}
+
+/// Two wells far apart share the load: each is Hertz's contact under half of it, of curvatures 2 and 12, to the fourth-order
+/// terms of the well, (b/y)^2 with b some hundredth of its place.
+#[test]
+fn two_wells_far_apart_share_the_load() {
+    let terms = [(2, 0, 1.0), (0, 2, -3.0), (0, 4, 100.0)];
+    let terms = terms.map(|(x, y, coefficient)| Term { x, y, coefficient });
+    let gap = Gap::polynomial(&terms).unwrap();
+    let contact = NormalContact::under_load(&gap, steel(), 3e4, Resolution::STANDARD).unwrap();
+    let alone = hertz(0.5, 1.0 / 12.0, 1.5e4);
+    assert_eq!(contact.patches().len(), 2);
+    for (patch, side) in contact.patches().iter().zip([-1.0, 1.0]) {
+        assert!((patch.load() / 1.5e4 - 1.0).abs() < 2e-3, "{}", patch.load());
+        let [low, high] = patch.extent().y;
+        let off = f64::midpoint(low, high) - side * 0.015_f64.sqrt();
+        assert!(off.abs() < 0.01 * alone.ellipse().b(), "{off}");
+    }
+    let peak = contact.peak_pressure().value / alone.peak_pressure();
+    assert!((peak - 1.0).abs() < 5e-3, "peak {peak}");
+}

@@ -214,16 +214,14 @@ impl StaticsFile {
         let (upper, hertz) = match (problem, &self.upper) {
             (StaticsProblem::Die { solid, die, .. }, _) => {
                 let pressure = die.pressure([0.0; 2]);
-                return Caution::high_pressure(pressure, solid.shear_modulus())
-                    .into_iter()
-                    .collect();
+                return Caution::moduli(pressure, solid.shear_modulus()).collect();
             }
             (StaticsProblem::ShearedRectangle { pair, steps, layer, .. }, _) => {
                 let Some(last) = steps.last() else { return Vec::new() };
                 let [one, other] = last.half_lengths();
                 let thick = layer.and_then(|layer| Caution::thick_beside(layer, one.min(other)));
-                let high = Caution::high_pressure(last.pressure(), pair.shear_modulus());
-                return high.into_iter().chain(thick).collect();
+                let units = Caution::moduli(last.pressure(), pair.shear_modulus());
+                return units.chain(thick).collect();
             }
             (StaticsProblem::PartialSlip { contact, friction, .. }, Some(upper)) => {
                 unlike = Caution::like_bodies(contact.pair().kappa() / friction);
