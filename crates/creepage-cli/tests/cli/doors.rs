@@ -66,7 +66,7 @@ fn numbers_in_other_units_are_cautions_everywhere() {
     assert!(plain["caution"].is_null() && plain["approach_m"].is_number());
 }
 
-/// Friction in per cent, moduli in MPa taken for GPa, a linear theory far beyond friction: each is a caution, in one file and
+/// Friction in per cent, moduli a thousand times too large, a linear theory far beyond friction: each is a caution, in one file and
 /// in rows.
 #[test]
 fn numbers_that_no_bodies_have_are_cautions() {

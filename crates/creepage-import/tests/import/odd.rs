@@ -9,9 +9,8 @@ use crate::{ball, head, read, text};
 
 /// A plane that falls to one side, in Simpack's format.
 fn tilted() -> String {
-    let points: String = (-80..=80)
-        .map(|k| format!("{} {} 1.0\n", 0.5 * f64::from(k), 0.025 * f64::from(k)))
-        .collect();
+    let point = |k: i32| format!("{} {} 1.0\n", 0.5 * f64::from(k), 0.025 * f64::from(k));
+    let points = (-80..=80).map(point).collect::<Vec<_>>().concat();
     format!(
         "header.begin\n  version = 1\n  type = 0\nheader.end\nspline.begin\n  units.len.f = 1000.0\n  \
          units.ang.f = 1.0\npoint.begin\n{points}point.end\nspline.end\n"
