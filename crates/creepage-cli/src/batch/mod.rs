@@ -147,12 +147,21 @@ fn fill<A>(
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
     let bar = progress_bar(args);
     let (mut stream, name) = (Stream::start(table.reader), table.name);
+    // An open quote takes the lines below it for one field.
+    let mut over_lines = 0;
     loop {
         let rows = stream.next().map_err(|source| Failure::Rows { input: name.clone(), source })?;
         if rows.is_empty() {
             bar.finish_and_clear();
+            if over_lines > 0 {
+                say(&format!(
+                    "caution: {name}: {over_lines} rows have a field that goes over several lines: is a quote left open?"
+                ));
+            }
             return out.finish().map_err(failed);
         }
+        let goes_on = |row: &&ByteRecord| row.iter().any(|field| field.contains(&b'\n'));
+        over_lines += rows.iter().filter(goes_on).count();
         let answers = answers(&rows)?;
         for (row, answer) in rows.into_iter().zip(answers) {
             write(&mut out, row, answer).map_err(failed)?;

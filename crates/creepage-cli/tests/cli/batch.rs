@@ -391,3 +391,12 @@ fn a_misspelt_column_is_told() {
     let ran = place.run_on(&rows, "time,run,longitudinal,lateral\n1,2,0.001,0\n");
     assert!(!ran.stderr.contains("caution"), "{}", ran.stderr);
 }
+
+/// An open quote takes the rows below it for one field, which is told.
+#[test]
+fn an_open_quote_is_told() {
+    let ran = batch(format!("{HEADER}1,0.28,1,0,0\n1,0.28,\"1,0,0\n1,0.28,1,0,0\n1,0.28,1,0,0\n"));
+    assert!(ran.stderr.contains("is a quote left open?"), "{}", ran.stderr);
+    let ran = batch(format!("{HEADER}1,0.28,1,0,0\n"));
+    assert!(!ran.stderr.contains("quote"), "{}", ran.stderr);
+}
