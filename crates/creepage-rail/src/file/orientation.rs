@@ -67,8 +67,9 @@ pub(super) fn turned(
         move_all(&mut points, |[y, z]| [-y, z]);
         actions.push(Action::Mirrored);
     }
-    let rises = points.first().zip(points.last()).is_some_and(|(a, b)| b.at[0] > a.at[0]);
-    if rises != (role == Role::Rail) {
+    // By most of its steps: a scan of two passes may end beside where it began.
+    let up = points.windows(2).filter(|pair| pair[1].at[0] > pair[0].at[0]).count();
+    if (2 * up > points.len()) != (role == Role::Rail) {
         points.reverse();
         actions.push(Action::Reversed);
     }

@@ -123,6 +123,11 @@ pub enum Action {
         /// Greatest distance from the first pass (m).
         apart: f64,
     },
+    /// Two passes were in the other order than the profile has them.
+    PassesSwapped {
+        /// Line at which that begins which now comes first.
+        line: usize,
+    },
     /// A point that repeated the one before was dropped.
     Repeated {
         /// Line.
@@ -243,6 +248,9 @@ impl Action {
             }
             Self::MorePoints { said, found } => {
                 write!(formatter, "{found} points, though the file says {said}: all of them taken")
+            }
+            Self::PassesSwapped { line } => {
+                write!(formatter, "line {line}: the pass that begins here comes first")
             }
             Self::Overlap { line, count, apart } => {
                 let apart = 1e6 * apart;

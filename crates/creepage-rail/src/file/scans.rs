@@ -108,16 +108,39 @@ pub(super) fn without_overlaps(
     points: &mut Vec<Point>,
     actions: &mut Vec<Action>,
 ) -> Result<(), FileError> {
+    first_pass_first(points, actions);
     let mut index = 1;
     while index + 1 < points.len() {
-        let back = points.get(index).zip(points.get(index + 1));
-        let back = back.is_some_and(|(a, b)| distance(a, b) > REACH);
-        if turn_at(points, index).abs() > BACK && (back || retraces(points, index)) {
+        if turn_at(points, index).abs() > BACK && (jumps(points, index) || retraces(points, index))
+        {
             drop_again(points, index, actions)?;
         }
         index += 1;
     }
     Ok(())
+}
+
+/// Whether the next point is far away.
+fn jumps(points: &[Point], index: usize) -> bool {
+    let pair = points.get(index).zip(points.get(index + 1));
+    pair.is_some_and(|(a, b)| distance(a, b) > REACH)
+}
+
+/// Brings two passes into the order of the profile, where the second one leads up to where the first begins.
+fn first_pass_first(points: &mut [Point], actions: &mut Vec<Action>) {
+    // The end of a flange is steep: the turn back may be behind the jump.
+    let turns = |index: usize| turn_at(points, index).abs() > BACK;
+    let goes_back = |at: &usize| jumps(points, *at) && (turns(*at) || turns(*at + 1));
+    let mut back = (1..points.len().saturating_sub(1)).filter(goes_back);
+    let (Some(index), None) = (back.next(), back.next()) else { return };
+    let (one, other) = points.split_at(index + 1);
+    let ([begin, .., end], [start, .., last]) = (one, other) else { return };
+    let is_on = |point: &Point, way: &[Point]| off_way(point, way) < 10.0 * PASSES;
+    let leads_up = is_on(begin, other) || distance(last, begin) <= REACH;
+    if leads_up && !is_on(end, other) && !is_on(start, one) {
+        actions.push(Action::PassesSwapped { line: start.line });
+        points.rotate_left(index + 1);
+    }
 }
 
 /// Whether at least three points after a turn back lie on the way there.

@@ -393,6 +393,15 @@ fn overlapping_scans_keep_the_first() {
     }
     let found = open("w.txt", &columns(&twice(0.5, seam - 20)));
     assert!(matches!(found, Err(FileError::Overlap { .. })), "{found:?}");
+    // The second pass before the first, with an overlap and without.
+    for from in [seam - 20, seam] {
+        let swapped = [&points[from..], &points[..seam]].concat();
+        let found = open("w.txt", &columns(&swapped)).unwrap();
+        let is_swap = |action: &Action| matches!(action, Action::PassesSwapped { .. });
+        assert_eq!(found.actions.iter().filter(|action| is_swap(action)).count(), 1);
+        let off = apart(&found.profile, &plain, [-0.025, 0.050]);
+        assert!(off < 2e-6, "{from} {off}");
+    }
     // There and back again.
     let back = points.iter().chain(points.iter().rev().skip(1)).copied().collect::<Vec<_>>();
     let found = open("w.txt", &columns(&back[..points.len() + 60])).unwrap();
