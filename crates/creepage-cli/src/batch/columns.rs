@@ -121,9 +121,7 @@ pub(super) fn tell_misspelt(header: &ByteRecord, known: &[&'static str]) {
             continue;
         }
         if let Some(meant) = misspelt(&own, &missing) {
-            say(&format!(
-                "caution: column `{own}` is none that rows are asked by, and goes through as it is: did you mean `{meant}`?"
-            ));
+            say(&format!("caution: column `{own}` is not used: did you mean `{meant}`?"));
         }
     }
 }

@@ -377,7 +377,7 @@ fn twenty_thousand_rows_keep_their_order_on_any_number_of_cores() {
     }
 }
 
-/// A column that is none goes through; one that looks like a known one is told of.
+/// An unknown column is copied; one that looks like a misspelt known one carries a caution.
 #[test]
 fn a_misspelt_column_is_told() {
     let place = Place::new();
@@ -385,7 +385,7 @@ fn a_misspelt_column_is_told() {
     let rows = ["batch", "--case", "case.toml", "--theory", "polach"];
     for (own, meant) in [("longitudnal", "longitudinal"), ("Longitudinal", "longitudinal")] {
         let ran = place.run_on(&rows, format!("{own},lateral\n0.001,0\n"));
-        let told = format!("column `{own}` is none that rows are asked by");
+        let told = format!("column `{own}` is not used");
         assert!(ran.stderr.contains(&told) && ran.stderr.contains(meant), "{}", ran.stderr);
     }
     let ran = place.run_on(&rows, "time,run,longitudinal,lateral\n1,2,0.001,0\n");

@@ -37,7 +37,7 @@ fn mirrory_turns_a_rail() {
     assert!(section.contains("y = \"track-side\""), "{rail}");
 }
 
-/// A scale that is none does not go unsaid.
+/// A scale that is not positive carries a note.
 #[test]
 fn a_scale_below_zero_is_noted() {
     let place = tempfile::tempdir().unwrap();
@@ -67,7 +67,7 @@ fn digits_that_nobody_knows_are_named() {
             other => panic!("{other:?}"),
         }
     }
-    // Three of module 1 is none between given bodies.
+    // F = 3 belongs to module 1.
     let cause = case("203130", "022020").unwrap()[0].written.clone().unwrap_err().to_string();
     assert!(cause.contains("F = 3"), "{cause}");
 }

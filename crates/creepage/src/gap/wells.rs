@@ -169,7 +169,7 @@ fn downhill([p, q]: [f64; 2], [xx, xy, yy]: [f64; 3]) -> Option<[f64; 2]> {
         let unit = OFF / p.hypot(q);
         return Some([-p * unit, -q * unit]);
     }
-    // Curvatures below a millionth of the largest are none: there the slope alone leads on.
+    // A curvature below a millionth of the largest counts as zero: the step follows the slope.
     let shift = if least > 1e-6 * size { 0.0 } else { 1e-3 * size - least };
     let (a, b, c) = (xx + shift, xy, yy + shift);
     let determinant = a * c - b * b;
