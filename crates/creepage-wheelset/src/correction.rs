@@ -61,12 +61,13 @@ impl Correction {
         changes.iter().zip(OF_CHANGE).map(|(change, part)| part * change.magnitude()).sum()
     }
 
-    /// Whether the corrected error bar is below `GROWTH` times the fine grid's, with its growth scaled by `times`.
+    /// Whether the corrected error bar grew by less than `GROWTH` of the fine grid's, with what its border of adhesion
+    /// hides there; the growth scaled by `times`.
     pub(crate) fn holds(&self, corrected: &Solution, times: f64) -> bool {
         let Force { fx, fy, .. } = self.error;
         let growth = corrected.error.map_or(f64::INFINITY, |error| error.fx - fx - self.hidden);
-        let bar = fx.max(fy);
-        times * growth + SCATTER * (bar + self.hidden) <= GROWTH * bar
+        let bar = fx.max(fy) + self.hidden;
+        times * growth + SCATTER * bar <= GROWTH * bar
     }
 
     /// How many times as far as one position another is from where both grids were solved, in shift and yaw over
