@@ -2,6 +2,8 @@
 //! as differences say.
 //!
 //!     CREEPAGE_COUNT=10000 cargo test -p creepage-wheelset --test random_positions -- --ignored --nocapture
+//!
+//! `CREEPAGE_SEED` names another draw, `CREEPAGE_ONLY` some of it by their numbers, with commas between.
 #![allow(clippy::unwrap_used, clippy::print_stdout)]
 
 use std::collections::BTreeMap;
@@ -268,8 +270,13 @@ fn run(count: usize, seed: u64) -> Counts {
     let steel = Solid::new(82e9, 0.28).unwrap();
     let mut random = Random(seed);
     let mut counts = Counts::default();
+    let only = std::env::var("CREEPAGE_ONLY").ok();
+    let only = only.map(|only| only.split(',').filter_map(|n| n.parse().ok()).collect::<Vec<_>>());
     for index in 0..count {
         let draw = Draw::new(&mut random);
+        if only.as_ref().is_some_and(|only| !only.contains(&index)) {
+            continue;
+        }
         let friction =
             [RailFriction::Constant(draw.friction), RailFriction::Constant(draw.friction)];
         let pair = SolidPair::new(steel, steel);

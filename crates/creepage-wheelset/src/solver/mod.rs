@@ -163,9 +163,7 @@ impl<'a> WheelsetSolver<'a> {
         stance: &WheelsetPose,
         travel: &WheelsetVelocity,
     ) -> Result<SolvedWheelset, WheelsetError> {
-        // A wheel that hangs has no place to go on from.
-        let hangs = matches!(stance.load, Some(Load::Wheels(loads)) if loads.contains(&0.0));
-        if hangs || before.is_reversed != travel.is_backward() {
+        if hangs(stance) || before.is_reversed != travel.is_backward() {
             return self.solve(stance, travel);
         }
         if travel.is_backward() {
@@ -212,7 +210,7 @@ impl<'a> WheelsetSolver<'a> {
         rayon::scope(|_| self.by_methods(stance, travel, start))
     }
 
-    /// By one method after another until the wanted accuracy is met.
+    /// By one method after another until the wanted accuracy is met, each from where the one before ended.
     fn by_methods(
         &self,
         stance: &WheelsetPose,
@@ -220,14 +218,25 @@ impl<'a> WheelsetSolver<'a> {
         start: &Start,
     ) -> Result<SolvedWheelset, WheelsetError> {
         let (last, first) = self.rolling.split_last().unwrap_or((&Method::STANDARD, &[]));
+        let mut start = start.clone();
         for method in first {
             let solved = settle(self, stance, travel, start.clone(), *method)?;
             if solved.worst_error() <= self.accuracy {
                 return Ok(solved);
             }
+            if !hangs(stance)
+                && let Some((here, _)) = self.beside(&solved, stance)
+            {
+                start = here;
+            }
         }
-        settle(self, stance, travel, start.clone(), *last)
+        settle(self, stance, travel, start, *last)
     }
+}
+
+/// Whether a wheel is to carry nothing: it has no place to go on from.
+fn hangs(stance: &WheelsetPose) -> bool {
+    matches!(stance.load, Some(Load::Wheels(loads)) if loads.contains(&0.0))
 }
 
 /// How finely bodies are pressed that roll by the full theory with these options.
