@@ -122,12 +122,34 @@ impl<'a> Search<'a> {
     /// last matrix, if that belongs to a point close enough.
     fn last_step(&mut self) -> Option<StripSolution> {
         let known = self.factors.take();
-        let known = known
-            .filter(|factors| factors.distance(&self.system) < self.problem.stiffness_tolerance);
-        let factors = known.or_else(|| self.linearized())?;
+        let known = known.and_then(|factors| Some((self.stiffness(&factors)?, factors)));
+        let (stiffness, factors) = match known {
+            Some(known) => known,
+            None => self.linearized().map(|factors| (factors.stiffness, factors))?,
+        };
         let step = self.step(&factors)?;
         let System { strips, deeper, .. } = self.system.after(&step)?;
-        Some(StripSolution { strips, deeper, stiffness: factors.stiffness, factors })
+        Some(StripSolution { strips, deeper, stiffness, factors })
+    }
+
+    /// The derivative of the load by the depth here, by the matrix of a place close by; `None` where that lies too far off.
+    ///
+    /// One step of iterative refinement: what the matrix gives errs by about the square of what the step changes.
+    fn stiffness(&self, factors: &Factors) -> Option<f64> {
+        /// Of the change of the depth, over the depth.
+        const STEP: f64 = 1e-4;
+        let tolerance = self.problem.stiffness_tolerance;
+        if factors.distance(&self.system) < tolerance {
+            return Some(factors.stiffness);
+        }
+        let along = Step { unknowns: -STEP * &factors.by_depth, deeper: 0.0 };
+        let there = self.system.moved(&along, 1.0).residual(self.problem.depth);
+        let mut change = (&self.residual - there) / STEP;
+        change.add_scalar_mut(1.0);
+        factors.lu.solve(change.as_mut_slice());
+        let part = change.norm() / factors.by_depth.norm();
+        let by_depth = &factors.by_depth + change;
+        (part * part < tolerance).then(|| self.system.load_change(&by_depth))
     }
 
     /// One step; where there is none, by how much it would have the half lengths shrink.
