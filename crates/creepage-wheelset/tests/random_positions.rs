@@ -155,11 +155,17 @@ fn force(solved: &SolvedWheelset, side: Side) -> [f64; 3] {
     wheel.as_ref().map_or([f64::NAN; 3], |wheel| wheel.on_rail().force)
 }
 
+/// Error bars of a wheel's force, none where the theory has none.
+fn bar(solved: &SolvedWheelset, side: Side) -> [f64; 3] {
+    let wheel = if side == Side::Left { &solved.left } else { &solved.right };
+    wheel.as_ref().and_then(|wheel| wheel.on_rail().force_error).unwrap_or_default()
+}
+
 #[derive(Default)]
 struct Counts {
     solved: usize,
     not_converged: usize,
-    causes: BTreeMap<String, (usize, String)>,
+    causes: BTreeMap<String, (Vec<usize>, String)>,
     unbalanced: Vec<String>,
     mirrored: usize,
     unlike: Vec<String>,
@@ -193,8 +199,8 @@ fn of_draw(index: usize, draw: &Draw, solver: &WheelsetSolver<'_>, counts: &mut 
     let solved = match found {
         Ok(solved) => solved,
         Err(error) => {
-            let entry = counts.causes.entry(kind(&error)).or_insert_with(|| (0, name));
-            entry.0 += 1;
+            let entry = counts.causes.entry(kind(&error)).or_insert_with(|| (vec![], name));
+            entry.0.push(index);
             return;
         }
     };
@@ -211,18 +217,25 @@ fn of_draw(index: usize, draw: &Draw, solver: &WheelsetSolver<'_>, counts: &mut 
     }
     if index.is_multiple_of(5) {
         let (pose, velocity) = draw.mirrored();
+        // Apart by more than 2e-3 of friction and than both error bars.
         counts.mirrored += 1;
         match solver.solve(&pose, &velocity) {
             Err(error) => counts.unlike.push(format!("{error}: {name}")),
             Ok(other) => {
-                let [a, b] = [force(&solved, Side::Left), force(&solved, Side::Right)];
-                let [c, d] = [force(&other, Side::Right), force(&other, Side::Left)];
-                let most = a[2].abs().max(b[2].abs()) * draw.friction;
-                let apart = |a: [f64; 3], c: [f64; 3]| {
-                    (a[0] - c[0]).abs().max((a[1] + c[1]).abs()).max((a[2] - c[2]).abs()) / most
-                };
-                let apart = apart(a, c).max(apart(b, d));
-                if apart > 2e-3 {
+                let most = force(&solved, Side::Left)[2].max(force(&solved, Side::Right)[2]);
+                let least = 2e-3 * draw.friction * most;
+                let sides = [(Side::Left, Side::Right), (Side::Right, Side::Left)];
+                let apart = sides.map(|(own, image)| {
+                    let [a, b] = [force(&solved, own), force(&other, image)];
+                    let bars = [bar(&solved, own), bar(&other, image)];
+                    let ratio = |k: usize| {
+                        let mirrored = if k == 1 { -b[k] } else { b[k] };
+                        (a[k] - mirrored).abs() / least.max(bars[0][k] + bars[1][k])
+                    };
+                    ratio(0).max(ratio(1)).max(ratio(2))
+                });
+                let apart = apart[0].max(apart[1]);
+                if apart > 1.0 {
                     counts.unlike.push(format!("{apart:.1e} {name}"));
                 }
             }
@@ -292,8 +305,8 @@ fn run(count: usize, seed: u64) -> Counts {
 
 fn print(counts: &Counts) {
     println!("solved {}, not converged {}", counts.solved, counts.not_converged);
-    for (cause, (count, first)) in &counts.causes {
-        println!("  {count}: {cause}\n      first {first}");
+    for (cause, (all, first)) in &counts.causes {
+        println!("  {}: {cause}\n      {all:?}\n      first {first}", all.len());
     }
     let lists = [
         ("loads missed", counts.solved, &counts.unbalanced),

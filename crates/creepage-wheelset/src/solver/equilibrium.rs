@@ -24,6 +24,8 @@ const MAX_EVALUATIONS: usize = 48;
 const MAX_OF_STAGE: usize = 12;
 /// To which part of its error bar, and of itself, a load is met.
 const LOAD_TOLERANCES: [f64; 2] = [0.2, 1e-4];
+/// A load missed by more than this part of itself is not met, however wide its error bar.
+const MAX_MISSED: f64 = 0.01;
 /// What may be left of friction's moment about the axle, in parts of what that could be, by stages before the last.
 const ROUGHLY_BALANCED: f64 = 3e-4;
 /// The trust region's first radius, in parts of the forces to the power 2/3, its least one, and how a rejected step
@@ -217,7 +219,7 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
         if is_last
             && is_best
             && self.radius < FIRST_RADIUS
-            && self.is_within(&wheels, &shares, |error, _| error)
+            && self.is_within(&wheels, &shares, within_bar)
             && self.check_hanging(&wheels).is_ok()
         {
             self.within_bars = Some((residual, solved()));
@@ -302,7 +304,7 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
         self.is_within(wheels, shares, |error, carried| {
             // Fine pressures that depend on where they began scatter within their error bars.
             if self.is_scattered {
-                error
+                within_bar(error, carried)
             } else {
                 (LOAD_TOLERANCES[0] * error).min(LOAD_TOLERANCES[1] * carried)
             }
@@ -491,6 +493,11 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
             _ => WheelsetError::NotSettled,
         }
     }
+}
+
+/// What may be missed (N) of a load that scatters within its error bar.
+fn within_bar(error: f64, carried: f64) -> f64 {
+    error.min(MAX_MISSED * carried)
 }
 
 /// Vertical forces of wheels (N).

@@ -49,8 +49,8 @@ impl LoadLine {
     pub(crate) fn update_slopes(&mut self, expected: &Self, moved: [f64; 2]) {
         let (stiffness, missed) = (self.by, self.root - expected.root);
         let learnt = secant(self.root, expected.by, (missed, expected.by), moved);
-        let sound = [learnt, Some(expected.by)].into_iter().flatten();
-        self.by = sound.into_iter().find(|by| is_sound(*by, stiffness)).unwrap_or(stiffness);
+        let by = learnt.unwrap_or(expected.by);
+        self.by = if is_sound(by, stiffness) { by } else { stiffness };
         self.by_friction = expected.by_friction;
     }
 
