@@ -59,6 +59,28 @@ fn friction_has_no_moment_about_the_axle() {
     }
 }
 
+/// Where a pressure has two states, some tenths of a per cent apart, no height carries the load exactly: the nearest one within
+/// its error bar is the answer.
+#[test]
+fn a_load_between_two_states_is_met_within_its_bar() {
+    let case = case("resolution = \"fast\"");
+    let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
+    let load = 65253.265;
+    let pose = WheelsetPose {
+        y: 0.000473042553,
+        yaw: -0.00570347822,
+        load: Some(Load::Axle(load)),
+        ..case.stance
+    };
+    let solved = solver.solve(&pose, &travel).unwrap();
+    for wheel in solved.wheels() {
+        let (on_rail, missed) = (wheel.on_rail(), wheel.on_rail().force[2] - 0.5 * load);
+        // The states are four thousandths apart.
+        let bar = on_rail.force_error.unwrap()[2].max(1e-4 * load);
+        assert!(missed.abs() < bar.min(5e-4 * load), "{missed} {bar}");
+    }
+}
+
 /// What is given has no error: where the pitch rate is found, one wheel's longitudinal force is the other's but for the
 /// moments about the normals, and a wheel that slides wholly knows its own; vertical forces are the loads.
 #[test]

@@ -153,6 +153,21 @@ fn most_of_a_walk_is_followed() {
     assert!(followed > 3 * STEPS / 4, "{followed} of {STEPS}");
 }
 
+/// Beside a wheel on its flange the other slides nearly whole: the fine grid knows its friction to some 1e-4, which a coarse
+/// one does not keep, and says so by a wider bar.
+#[test]
+fn the_flange_is_followed() {
+    let case = example("s1002-on-uic60.toml", "");
+    let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
+    let at = |y: f64| WheelsetPose { y, ..case.stance };
+    let before = solver.solve(&at(6.49e-3), &travel).unwrap();
+    let fine = solver.next(&before, &at(6.5e-3), &travel).unwrap();
+    let followed = solver.follow(&before, &at(6.5e-3), &travel).unwrap();
+    assert!(2 * elements(&followed) < elements(&fine), "not followed");
+    let off = apart(&followed, &fine);
+    assert!(off < 0.5, "{off}");
+}
+
 /// Where it moves on at one place, friction changes as well.
 #[test]
 fn other_motion_at_one_place_is_followed() {

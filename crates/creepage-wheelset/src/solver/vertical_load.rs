@@ -328,4 +328,29 @@ mod tests {
         let secant = found.by[0] * moved[0] + found.by[1] * moved[1];
         assert!((secant - (found.root - before.root)).abs() < 1e-9);
     }
+
+    /// What friction adds is learnt by itself: both together meet the secant.
+    #[test]
+    fn friction_is_learnt_apart_from_pressing() {
+        let before = LoadLine { root: 1500.0, by: [2e7, 1.5e7], by_friction: [0.0; 2] };
+        let moved = [1e-6, -2e-6];
+        let mut found = before.after(moved);
+        found.update_friction(3.0, moved);
+        let by = found.with_friction().by;
+        let secant = (by[0] - before.by[0]) * moved[0] + (by[1] - before.by[1]) * moved[1];
+        assert!((secant - 3.0).abs() < 1e-9 && found.by == before.by);
+    }
+
+    /// A root that jumps by two per cent along a nanometre teaches nothing, nor does a slope from there serve on.
+    #[test]
+    fn a_jump_leaves_the_stiffness() {
+        let before = LoadLine { root: 1500.0, by: [2e7, 1.5e7], by_friction: [0.0; 2] };
+        let (moved, stiffness) = ([1e-9, 0.0], [2.1e7, 1.6e7]);
+        let mut found = LoadLine { root: 1530.0, by: stiffness, by_friction: [0.0; 2] };
+        found.update_slopes(&before.after(moved), moved);
+        assert_eq!(found.by, stiffness);
+        let steep = LoadLine { by: [3e8, 2e8], ..before };
+        found.update_slopes(&steep, [0.0; 2]);
+        assert_eq!(found.by, stiffness);
+    }
 }
