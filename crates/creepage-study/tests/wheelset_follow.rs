@@ -86,8 +86,8 @@ const WALKS: [Walk; 8] = [
     ("curve-with-flange-contact.toml", [2.0, 7.0], 12.0, 5.0),
 ];
 
-/// What followed positions of a walk are off by, in parts of the fine grid's error bars: of all of it, or of so many
-/// pieces of five steps.
+/// What followed positions of a walk are off by, in parts of their error bars: of all of it, or of so many pieces of five
+/// steps. The fine grid's bars may be narrower, for that knows the border of adhesion.
 fn off_along((name, [from, to], step, yaw): Walk, parts: usize) -> Vec<f64> {
     let case = example(name, "");
     let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
@@ -106,7 +106,7 @@ fn off_along((name, [from, to], step, yaw): Walk, parts: usize) -> Vec<f64> {
             walked = solver.follow(&walked, &at(k), &travel).unwrap();
             fine = solver.next(&fine, &at(k), &travel).unwrap();
             if elements(&walked) < elements(&fine) {
-                off.push(apart(&fine, &walked));
+                off.push(apart(&walked, &fine));
             }
         }
     }

@@ -24,9 +24,10 @@ impl<'a> WheelsetSolver<'a> {
     /// As [`WheelsetSolver::next`], quicker along walks in steps up to 20 um and 0.2 mrad.
     ///
     /// The full theory on a coarse grid, corrected by what a fine one added at a position before, which changes
-    /// slowly. Error bars grow by what it may have changed since; where that, with a twentieth of the bar, is half of the
-    /// larger one, or the step is longer, the fine grid is solved as by [`WheelsetSolver::next`]. Forces differ from
-    /// those by a twentieth of the error bars in the median, by less than half in 99 of 100 positions; heat, which has
+    /// slowly. Error bars grow by what it may have changed since, and by what those of the fine grid leave out because
+    /// that finds the border of adhesion; where the first, with a twentieth of the bar, is half of the larger one, or the
+    /// step is longer, the fine grid is solved as by [`WheelsetSolver::next`]. Forces differ from those by a twentieth of
+    /// these bars in the median, by less than half in 99 of 100 positions; heat, which has
     /// no error bar, by some thousandths. [`SolvedContact::elements`] are those of the coarse grid.
     ///
     /// ```
