@@ -67,8 +67,8 @@ fn a_load_between_two_states_is_met_within_its_bar() {
     let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
     let load = 65253.265;
     let pose = WheelsetPose {
-        y: 0.000473042553,
-        yaw: -0.00570347822,
+        y: 4.730_425_53e-4,
+        yaw: -5.703_478_22e-3,
         load: Some(Load::Axle(load)),
         ..case.stance
     };
