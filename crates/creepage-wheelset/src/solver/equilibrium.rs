@@ -1,9 +1,8 @@
 //! Equilibrium of a wheelset: the height and the roll at which its wheels carry what is asked of them.
 //!
 //! Newton's method on the vertical forces to the power 2/3 ([`Target`]), with the stiffness of the contacts as
-//! Jacobian, Broyden's updates for what that does not know, of pressing and of friction apart, and a trust region. The
-//! pitch rate, at which friction balances the torque, is eliminated at each evaluation. Coarse pressures and quick
-//! friction come first, as a start.
+//! Jacobian, Broyden's updates for what that does not know, and a trust region. The pitch rate, at which friction
+//! balances the torque, is eliminated at each evaluation. Coarse pressures and quick friction come first, as a start.
 
 use creepage::normal;
 use creepage_rail::{Position, Side};
@@ -87,8 +86,6 @@ struct EquilibriumSearch<'w, 'a> {
     stages: Vec<Stage>,
     /// What the last accepted evaluation tells.
     start: Start,
-    /// Height and roll of each wheel where friction was found last by this stage.
-    rolled_at: Option<Vec<[f64; 2]>>,
     /// The last accepted position of this stage.
     iterate: Option<Iterate>,
     /// Where to evaluate next.
@@ -139,7 +136,6 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
             target,
             stages,
             start,
-            rolled_at: None,
             iterate: None,
             trial,
             radius: FIRST_RADIUS,
@@ -172,12 +168,12 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
         };
         // By the friction of the position before.
         let mut lines = self.lines(&wheels, &self.start.shares)?;
-        self.update_slopes(&mut lines);
         let by_known = self.target.residual(&lines);
         if self.is_step_back(by_known) {
             return self.reject(&lines).map(|()| None);
         }
         if self.defers_friction(&wheels, by_known) {
+            self.update_slopes(&mut lines);
             self.start.pressures = PatchWarmStart::of(&wheels);
             self.accept(lines, by_known, false)?;
             return Ok(None);
@@ -199,10 +195,18 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
         let mut rolled = self.lines(&wheels, &shares)?;
         let residual = self.target.residual(&rolled);
         self.friction_changed = (residual - by_known).abs();
-        self.update_friction(&mut rolled, &lines);
         let was_rolled = self.iterate.as_ref().is_some_and(|iterate| iterate.is_rolled);
         if was_rolled && self.is_step_back(residual) {
             return self.reject(&rolled).map(|()| None);
+        }
+        // Slopes are learnt from positions whose friction was found alike.
+        if was_rolled {
+            self.update_slopes(&mut rolled);
+        } else {
+            self.update_slopes(&mut lines);
+            for ((_, line), (_, known)) in rolled.iter_mut().zip(&lines) {
+                line.by = known.by;
+            }
         }
         let solved = || {
             let mut solved =
@@ -225,7 +229,6 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
             self.within_bars = Some((residual, solved()));
         }
         self.start.evaluated(&wheels, &turning.rolled, turning.pitch);
-        self.rolled_at = Some(self.stands());
         self.accept(rolled, residual, true)?;
         Ok(None)
     }
@@ -274,8 +277,7 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
         let touch = touch.map_err(|source| WheelsetError::Position { side, source })?;
         let slope = self.solver.hertzian_slope();
         let lever = self.solver.start().levers[usize::from(side == Side::Right)];
-        let (root, by) = (slope * (z - touch).min(0.0), [slope, slope * lever]);
-        Ok(LoadLine { root, by, by_friction: [0.0; 2] })
+        Ok(LoadLine { root: slope * (z - touch).min(0.0), by: [slope, slope * lever] })
     }
 
     /// Whether friction need not be found here: it costs more than pressing, or is known from a position beside, and
@@ -346,35 +348,16 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
         }
     }
 
-    /// Slopes of lines at the trial, by known friction, from the step that led there.
+    /// Slopes of lines at the trial, from the step that led there.
     fn update_slopes(&self, lines: &mut [(Side, LoadLine)]) {
+        if self.iterate.is_none() && !self.is_near {
+            return;
+        }
         for ((_, line), place) in lines.iter_mut().zip(&self.trial) {
-            let Some(expected) = place.expected.filter(|_| line.root > 0.0) else { continue };
-            if self.iterate.is_some() || self.is_near {
+            if let Some(expected) = place.expected.filter(|_| line.root > 0.0) {
                 line.update_slopes(&expected, place.moved);
-            } else {
-                // Another stage's pressures are not compared with these.
-                line.by_friction = expected.by_friction;
             }
         }
-    }
-
-    /// The same with what friction adds, from how it changed since it was found last.
-    fn update_friction(&self, rolled: &mut [(Side, LoadLine)], known: &[(Side, LoadLine)]) {
-        for (k, ((_, line), (_, known))) in rolled.iter_mut().zip(known).enumerate() {
-            (line.by, line.by_friction) = (known.by, known.by_friction);
-            let before = self.rolled_at.as_ref().and_then(|before| before.get(k));
-            if let (Some(before), Some(place), true) = (before, self.trial.get(k), line.root > 0.0)
-            {
-                let Position { z, roll, .. } = place.position;
-                line.update_friction(line.root - known.root, [z - before[0], roll - before[1]]);
-            }
-        }
-    }
-
-    /// Height and roll of each wheel of the trial.
-    fn stands(&self) -> Vec<[f64; 2]> {
-        self.trial.iter().map(|place| [place.position.z, place.position.roll]).collect()
     }
 
     /// Goes on from the trial: to the next stage where it is close enough.
@@ -403,7 +386,7 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
             self.stages.remove(0);
             self.iterate = None;
             (self.evaluations, self.is_scattered) = (0, false);
-            (self.radius, self.friction_changed, self.rolled_at) = (FIRST_RADIUS, 0.0, None);
+            (self.radius, self.friction_changed) = (FIRST_RADIUS, 0.0);
         }
         Ok(())
     }
@@ -411,9 +394,13 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
     /// A trial that came no closer: its slopes are learnt, and a shorter step is taken from where it began.
     fn reject(&mut self, lines: &[(Side, LoadLine)]) -> Result<(), WheelsetError> {
         if let Some(iterate) = &mut self.iterate {
-            for ((_, own), (_, found)) in iterate.lines.iter_mut().zip(lines) {
-                if found.root > 0.0 {
-                    (own.by, own.by_friction) = (found.by, found.by_friction);
+            for (((_, own), (_, found)), place) in
+                iterate.lines.iter_mut().zip(lines).zip(&self.trial)
+            {
+                let mut found = *found;
+                if let Some(expected) = place.expected.filter(|_| found.root > 0.0) {
+                    found.update_slopes(&expected, place.moved);
+                    own.by = found.by;
                 }
             }
         }
@@ -462,18 +449,13 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
 
     /// The next trial: Newton's step within the trust region.
     fn step_on(&mut self) -> Result<(), WheelsetError> {
-        let Some(Iterate { places, lines, is_rolled, .. }) = &self.iterate else { return Ok(()) };
-        // Where friction was found it will be found again, and change with the step.
-        let follows = |(side, line): &(Side, LoadLine)| {
-            (*side, if *is_rolled { line.with_friction() } else { *line })
-        };
-        let following: Vec<_> = lines.iter().map(follows).collect();
-        let step = self.target.step(&following).ok_or_else(|| self.not_found())?;
+        let Some(Iterate { places, lines, .. }) = &self.iterate else { return Ok(()) };
+        let step = self.target.step(lines).ok_or_else(|| self.not_found())?;
         let size = |((side, line), moved): (&(Side, LoadLine), &[f64; 2])| {
             let change = line.after(*moved).root - line.root;
             change.abs() / self.target.scale(*side, lines)
         };
-        let sizes = following.iter().zip(&step).map(size).filter(|size| size.is_finite());
+        let sizes = lines.iter().zip(&step).map(size).filter(|size| size.is_finite());
         let size = sizes.fold(0.0, f64::max);
         let part = if size > self.radius { self.radius / size } else { 1.0 };
         (self.step, self.part) = (part * size, part);

@@ -128,8 +128,7 @@ impl PredictorCorrection {
         solved: &SolvedWheelset,
         stance: &WheelsetPose,
     ) -> Self {
-        let lines: Vec<_> =
-            solved.wheels().map(|wheel| (wheel.side, wheel.line.with_friction())).collect();
+        let lines: Vec<_> = solved.wheels().map(|wheel| (wheel.side, wheel.line)).collect();
         let levers = solved.levers(solved.radius).unwrap_or_default();
         let last = Target::new(stance, levers).ok().and_then(|target| target.step(&lines));
         let last = last.unwrap_or_else(|| vec![[0.0; 2]; expected.len()]);

@@ -13,17 +13,14 @@ use crate::{Load, WheelsetError, WheelsetPose};
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LoadLine {
     pub(crate) root: f64,
-    /// The change with friction over load as it is.
     pub(crate) by: [f64; 2],
-    /// What the change of friction over load adds to that, as far as it was learnt.
-    pub(crate) by_friction: [f64; 2],
 }
 
 impl LoadLine {
     /// Of a force (N) with its changes (N/m and N/rad).
     pub(crate) fn of_force(force: f64, by: [f64; 2]) -> Self {
         let per_force = if force > 0.0 { 2.0 / 3.0 / force.cbrt() } else { 0.0 };
-        Self { root: root(force), by: by.map(|by| per_force * by), by_friction: [0.0; 2] }
+        Self { root: root(force), by: by.map(|by| per_force * by) }
     }
 
     /// The force (N); none where the wheel hangs.
@@ -36,58 +33,37 @@ impl LoadLine {
         Self { root: self.root + self.by[0] * down + self.by[1] * turn, ..*self }
     }
 
-    /// With friction that follows: its part counts as a part of the stiffness.
-    pub(crate) fn with_friction(&self) -> Self {
-        let by = [0, 1].map(|k: usize| self.by[k] + self.by_friction[k]);
-        Self { by, by_friction: [0.0; 2], ..*self }
-    }
-
     /// With slopes learnt from how far this line lies beside the one that a step `moved` led to expect (Broyden
-    /// 1965): the direction of the contact changes along with the load, and areas join, which no stiffness knows.
-    /// Without a step from a position beside this one: the slopes learnt there. The stiffness where these are no
-    /// longer sound.
+    /// 1965): friction and the direction of the contact change along with the load, and areas join, which no stiffness
+    /// knows. Where the step tells less than the scatter of forces does, those expected; the stiffness where slopes
+    /// change too much to be any.
     pub(crate) fn update_slopes(&mut self, expected: &Self, moved: [f64; 2]) {
-        let (stiffness, missed) = (self.by, self.root - expected.root);
-        let learnt = secant(self.root, expected.by, (missed, expected.by), moved);
-        let by = learnt.unwrap_or(expected.by);
-        self.by = if is_sound(by, stiffness) { by } else { stiffness };
-        self.by_friction = expected.by_friction;
-    }
-
-    /// With what friction adds to the slopes, learnt likewise from how it changed the root along a step `moved`.
-    pub(crate) fn update_friction(&mut self, changed: f64, moved: [f64; 2]) {
-        let [by, own] = [self.with_friction().by, self.by];
-        let missed = changed - self.by_friction[0] * moved[0] - self.by_friction[1] * moved[1];
-        let learnt = secant(self.root, by, (missed, own), moved);
-        if let Some(by) = learnt.filter(|by| is_sound(*by, own)) {
-            self.by_friction = [by[0] - own[0], by[1] - own[1]];
+        let learnt = self.secant(expected, moved).unwrap_or(expected.by);
+        if is_sound(learnt, expected.by) && is_sound(learnt, self.by) {
+            self.by = learnt;
         }
     }
+
+    /// Slopes that meet this root from the one expected, by Broyden's update: rolling by an angle is as much as going
+    /// down by it times the wheel's lever. `None` where the step tells less than the scatter of forces does.
+    fn secant(&self, expected: &Self, [down, turn]: [f64; 2]) -> Option<[f64; 2]> {
+        /// Parts of the force by which it scatters, as friction and the tips of areas do.
+        const SCATTER: f64 = 2e-4;
+        let [by_down, by_turn] = expected.by;
+        let missed = self.root - expected.root;
+        let change = (by_down * down + by_turn * turn).abs();
+        let square = (by_turn / by_down).powi(2);
+        let size = down * down + square * turn * turn;
+        let tells = size > 0.0 && change.max(missed.abs()) >= SCATTER * self.root.abs();
+        let part = missed / size;
+        tells.then_some([by_down + part * down, by_turn + part * square * turn])
+    }
 }
 
-/// Slopes `by` that meet a root which missed what they expect of a step `moved`, by Broyden's update: rolling by an angle
-/// is as much as going down by it times a wheel's lever, the second over the first of the slopes `own`. `None` where the
-/// step tells less than the scatter of forces does.
-fn secant(
-    root: f64,
-    by: [f64; 2],
-    (missed, own): (f64, [f64; 2]),
-    [down, turn]: [f64; 2],
-) -> Option<[f64; 2]> {
-    /// Parts of the force by which it scatters, as friction and the tips of areas do.
-    const SCATTER: f64 = 2e-4;
-    let change = (by[0] * down + by[1] * turn).abs();
-    let square = (own[1] / own[0]).powi(2);
-    let size = down * down + square * turn * turn;
-    let tells = size > 0.0 && change.max(missed.abs()) >= SCATTER * root.abs();
-    let part = missed / size;
-    tells.then_some([by[0] + part * down, by[1] + part * square * turn])
-}
-
-/// Whether slopes are within ten times the stiffness: beyond, forces jump or scatter.
-fn is_sound(by: [f64; 2], stiffness: [f64; 2]) -> bool {
+/// Whether slopes are within ten times others: beyond, forces jump or scatter.
+fn is_sound(by: [f64; 2], other: [f64; 2]) -> bool {
     const SOUND: [f64; 2] = [0.1, 10.0];
-    by[0] > SOUND[0] * stiffness[0] && by[0] < SOUND[1] * stiffness[0]
+    by[0] > SOUND[0] * other[0] && by[0] < SOUND[1] * other[0]
 }
 
 /// A force (N) to the power 2/3.
@@ -277,7 +253,7 @@ mod tests {
             // A wheel that hangs: the line goes on.
             let slope = stiff.cbrt().powi(2);
             let by = [slope, slope * lever];
-            let hangs = LoadLine { root: slope * depth, by, by_friction: [0.0; 2] };
+            let hangs = LoadLine { root: slope * depth, by };
             (side, if depth > 0.0 { line } else { hangs })
         };
         [(Side::Left, stiff[0]), (Side::Right, stiff[1])].map(line).to_vec()
@@ -320,7 +296,7 @@ mod tests {
     /// Broyden's update meets the secant of the step, and keeps the slope across it.
     #[test]
     fn learnt_slopes_meet_the_secant() {
-        let before = LoadLine { root: 1500.0, by: [2e7, 1.5e7], by_friction: [0.0; 2] };
+        let before = LoadLine { root: 1500.0, by: [2e7, 1.5e7] };
         let moved = [1e-6, -2e-6];
         let expected = before.after(moved);
         let mut found = LoadLine { root: expected.root + 3.0, by: [2.1e7, 1.6e7], ..before };
@@ -329,25 +305,12 @@ mod tests {
         assert!((secant - (found.root - before.root)).abs() < 1e-9);
     }
 
-    /// What friction adds is learnt by itself: both together meet the secant.
-    #[test]
-    fn friction_is_learnt_apart_from_pressing() {
-        let before = LoadLine { root: 1500.0, by: [2e7, 1.5e7], by_friction: [0.0; 2] };
-        let moved = [1e-6, -2e-6];
-        let mut found = before.after(moved);
-        found.update_friction(3.0, moved);
-        let by = found.with_friction().by;
-        let secant = (by[0] - before.by[0]) * moved[0] + (by[1] - before.by[1]) * moved[1];
-        assert!((secant - 3.0).abs() < 1e-9);
-        assert_eq!(found.by.map(f64::to_bits), before.by.map(f64::to_bits));
-    }
-
     /// A root that jumps by two per cent along a nanometre teaches nothing, nor does a slope from there serve on.
     #[test]
     fn a_jump_leaves_the_stiffness() {
-        let before = LoadLine { root: 1500.0, by: [2e7, 1.5e7], by_friction: [0.0; 2] };
+        let before = LoadLine { root: 1500.0, by: [2e7, 1.5e7] };
         let (moved, stiffness) = ([1e-9, 0.0], [2.1e7, 1.6e7]);
-        let mut found = LoadLine { root: 1530.0, by: stiffness, by_friction: [0.0; 2] };
+        let mut found = LoadLine { root: 1530.0, by: stiffness };
         found.update_slopes(&before.after(moved), moved);
         assert_eq!(found.by.map(f64::to_bits), stiffness.map(f64::to_bits));
         let steep = LoadLine { by: [3e8, 2e8], ..before };
