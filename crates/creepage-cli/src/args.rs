@@ -320,7 +320,7 @@ pub(crate) struct CoefficientsArgs {
     pub(crate) poisson: f64,
     /// Calculate as Kalker did in 1967, with polynomials of this degree; Table 3 of the thesis
     /// is of degree 5. Converged to 1e-6 if not given.
-    #[arg(long, value_name = "M")]
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
     pub(crate) degree: Option<usize>,
     /// Coefficients of creepage that varies with the distance rolled as a wave of this length, in
     /// semi-axes along the rolling direction, 0.5 at least. They are complex numbers, whose angle
@@ -354,7 +354,7 @@ pub(crate) struct CurveArgs {
     #[arg(long, value_name = "POINTS.csv")]
     pub(crate) data: Option<PathBuf>,
     /// Number of points on each curve.
-    #[arg(long, value_name = "N", default_value_t = 201,
+    #[arg(long, value_name = "N", default_value_t = 201, allow_negative_numbers = true,
           value_parser = clap::value_parser!(u16).range(2..=10_001))]
     pub(crate) points: u16,
     /// Directory for curve.csv, curve.svg and curve.png; made if need be.

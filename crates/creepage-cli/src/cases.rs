@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use creepage::normal::{self, NormalContact};
 use creepage::{Creepage, SiCreepage, Status};
 use creepage_study::{
-    AnyCase, AnyCaseFile, Caution, LineFile, LineTheory, Sources, hertz_report, hertz_text,
-    long_work, pressed_report, pressed_text,
+    AnyCase, AnyCaseFile, Caution, LineCase, LineFile, LineTheory, Sources, hertz_report,
+    hertz_text, long_work, pressed_report, pressed_text,
 };
 
 use crate::args::{HertzArgs, SolveArgs};
@@ -15,26 +15,36 @@ use crate::input::{any_case, directory, read_any, read_text, sources_of, theorie
 use crate::outcome::Outcome;
 use crate::output::{print, say, say_written, to_json};
 
-/// `creepage solve`: one file after the other.
+/// A case file that is read and checked.
+enum ReadCase {
+    Any(Box<AnyCase>),
+    Line(Box<LineCase>),
+}
+
+/// `creepage solve`: one file after the other, when all of them are read and checked.
 pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
     if args.more.is_empty() {
-        return solve_one(args, &sources_of(&args.case));
+        return solve_one(args, read_one(args, &args.case)?, &sources_of(&args.case));
     }
     let cases: Vec<_> = [&args.case].into_iter().chain(&args.more).collect();
+    if cases.iter().filter(|case| **case == Path::new("-")).count() > 1 {
+        return Err(Failure::StdinTwice);
+    }
     let mut sources = Sources::default();
     if let Some(out) = &args.out {
         each_its_own(&cases, out)?;
         sources = cases.iter().fold(sources, |all, case| all.with(&sources_of(case)));
     }
+    let read = cases.iter().map(|case| read_one(args, case)).collect::<Result<Vec<_>, _>>()?;
     let mut outcome = Outcome::Done;
-    for case in cases {
+    for (case, read) in cases.into_iter().zip(read) {
         let name = case.file_stem().unwrap_or(case.as_os_str());
         let out = args.out.as_ref().map(|directory| directory.join(name));
         let one = SolveArgs { case: case.clone(), more: Vec::new(), out, ..args.clone() };
         if !args.json {
             print(&format!("== {}", case.display()))?;
         }
-        outcome = outcome.or(solve_one(&one, &sources)?);
+        outcome = outcome.or(solve_one(&one, read, &sources)?);
     }
     Ok(outcome)
 }
@@ -52,13 +62,32 @@ fn each_its_own(cases: &[&PathBuf], out: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The files first, then the report, so that a wrong `--out` prints nothing.
-fn solve_one(args: &SolveArgs, sources: &Sources) -> Result<Outcome, Failure> {
-    let text = read_text(&args.case)?;
-    if LineFile::is_one(&text) {
-        return solve_line(args, &text, sources);
+/// Reads a case file, and checks it and the theory's name.
+fn read_one(args: &SolveArgs, path: &Path) -> Result<ReadCase, Failure> {
+    let text = read_text(path)?;
+    if !LineFile::is_one(&text) {
+        let case = any_case(path, &text)?;
+        if let Some(name) = &args.theory {
+            case.theory_named(name)?;
+        }
+        return Ok(ReadCase::Any(Box::new(case)));
     }
-    let case = any_case(&args.case, &text)?;
+    let wrong = |source| Failure::Case { path: path.into(), source };
+    let mut case = LineFile::read(&text).and_then(|file| file.case()).map_err(wrong)?;
+    if let Some(name) = &args.theory {
+        let theory = LineTheory::named(name)
+            .ok_or_else(|| Failure::LineTheory { path: path.into(), name: name.clone() })?;
+        case = case.by(theory).map_err(wrong)?;
+    }
+    Ok(ReadCase::Line(Box::new(case)))
+}
+
+/// The files first, then the report, so that a wrong `--out` prints nothing.
+fn solve_one(args: &SolveArgs, read: ReadCase, sources: &Sources) -> Result<Outcome, Failure> {
+    let case = match read {
+        ReadCase::Line(case) => return solve_line(args, &case, sources),
+        ReadCase::Any(case) => *case,
+    };
     let theories = theories(args.theory.as_slice(), &case)?;
     if let AnyCase::Ellipse(own) = &case
         && let Some(words) = long_work(theories.first().unwrap_or(&own.theory), &own.contact)
@@ -81,14 +110,8 @@ fn solve_one(args: &SolveArgs, sources: &Sources) -> Result<Outcome, Failure> {
 }
 
 /// A line contact.
-fn solve_line(args: &SolveArgs, text: &str, sources: &Sources) -> Result<Outcome, Failure> {
+fn solve_line(args: &SolveArgs, case: &LineCase, sources: &Sources) -> Result<Outcome, Failure> {
     let wrong = |source| Failure::Case { path: args.case.clone(), source };
-    let mut case = LineFile::read(text).and_then(|file| file.case()).map_err(wrong)?;
-    if let Some(name) = &args.theory {
-        let theory = LineTheory::named(name)
-            .ok_or_else(|| Failure::LineTheory { path: args.case.clone(), name: name.clone() })?;
-        case = case.by(theory).map_err(wrong)?;
-    }
     let solved = case.solve().map_err(wrong)?;
     if let Some(directory) = &args.out {
         say_written(&solved.write(directory, sources)?);

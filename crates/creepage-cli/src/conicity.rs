@@ -15,7 +15,7 @@ pub(crate) fn run(args: &ConicityArgs) -> Result<Outcome, Failure> {
     let case = read(&args.case)?;
     let difference = case.radius_difference(args.roll).map_err(wrong)?;
     case.notes.iter().for_each(say_found);
-    for (side, caution) in case.rough_profiles(&difference, args.roll) {
+    for (side, caution) in case.conicity_cautions(&difference, args.roll) {
         let side = if side == Side::Left { "left" } else { "right" };
         say(&format!("caution: {side} wheel: {caution}"));
     }

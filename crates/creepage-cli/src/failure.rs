@@ -68,6 +68,8 @@ pub(crate) enum Failure {
     Wear { path: PathBuf, source: Box<WearError> },
     #[error("{}: {source}", path.display())]
     Map { path: PathBuf, source: Box<MapBuildError> },
+    #[error("--{source}")]
+    MapPlan { source: Box<MapBuildError> },
     #[error("{}: {source}", path.display())]
     History { path: PathBuf, source: Box<HistoryError> },
     #[error(
@@ -93,6 +95,8 @@ pub(crate) enum Failure {
         first.display(), second.display(), directory.display()
     )]
     SameDirectory { first: PathBuf, second: PathBuf, directory: PathBuf },
+    #[error("standard input (-) is given twice, and it can be read only once")]
+    StdinTwice,
     #[error(
         "{} is there already, with other contents: a converted profile replaces no file; give another \
          --out", path.display()
@@ -140,6 +144,8 @@ pub(crate) enum Failure {
     Busy { path: PathBuf },
     #[error("{}: {source}", path.display())]
     Table { path: PathBuf, source: FileError },
+    #[error("{} is a contact map, not a table of creep force", path.display())]
+    IsMap { path: PathBuf },
     #[error("{theory}: {source}")]
     Build { theory: &'static str, source: BuildError<TheoryError> },
     #[error("{option} is needed: the table has values from {low} to {high}")]

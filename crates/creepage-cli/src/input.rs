@@ -5,7 +5,8 @@ use std::io;
 use std::path::Path;
 
 use creepage::TheorySpec;
-use creepage::table::Table;
+use creepage::table::{FileError, Table};
+use creepage_map::ContactMap;
 use creepage_study::{AnyCase, AnyCaseFile, Sources, WheelsetFile};
 
 use crate::failure::Failure;
@@ -77,6 +78,12 @@ pub(crate) fn theories(names: &[String], case: &AnyCase) -> Result<Vec<TheorySpe
 
 /// The table of creep force of a file.
 pub(crate) fn read_table(path: &Path) -> Result<Table, Failure> {
-    let bytes = fs::read(path).map_err(|source| Failure::Read { path: path.into(), source })?;
-    Table::from_bytes(bytes).map_err(|source| Failure::Table { path: path.into(), source })
+    let read = || fs::read(path).map_err(|source| Failure::Read { path: path.into(), source });
+    match Table::from_bytes(read()?) {
+        // Contact maps have a format's number too.
+        Err(FileError::Format { .. }) if ContactMap::from_bytes(read()?).is_ok() => {
+            Err(Failure::IsMap { path: path.into() })
+        }
+        table => table.map_err(|source| Failure::Table { path: path.into(), source }),
+    }
 }

@@ -28,26 +28,26 @@ pub(crate) struct MapArgs {
     out: PathBuf,
     /// Largest lateral position to either side (m); the map ends before where profiles end. On the flange, with
     /// roll and yaw, loads err by tens of per cent: look at the error that is told.
-    #[arg(long, value_name = "M", default_value_t = 0.0062)]
+    #[arg(long, value_name = "M", default_value_t = 0.0062, allow_negative_numbers = true)]
     y: f64,
     /// Largest yaw to either side (rad).
-    #[arg(long, value_name = "RAD", default_value_t = 0.01)]
+    #[arg(long, value_name = "RAD", default_value_t = 0.01, allow_negative_numbers = true)]
     yaw: f64,
     /// Vertical loads of a wheel at the map's nodes (N), rising, separated by commas; from .12 to 2.4 times
     /// half the axle load if not given.
-    #[arg(long, value_name = "N,N,...", value_delimiter = ',')]
+    #[arg(long, value_name = "N,N,...", value_delimiter = ',', allow_hyphen_values = true)]
     loads: Vec<f64>,
     /// Elements of the full theory.
     #[arg(long, default_value = "standard")]
     resolution: Elements,
     /// Part of mu N by which the middle of a cell may be missed before the cell is halved.
-    #[arg(long, value_name = "PART", default_value_t = 0.01)]
+    #[arg(long, value_name = "PART", default_value_t = 0.01, allow_negative_numbers = true)]
     tolerance: f64,
     /// Width of the narrowest cells (m).
-    #[arg(long, value_name = "M", default_value_t = 5e-5)]
+    #[arg(long, value_name = "M", default_value_t = 5e-5, allow_negative_numbers = true)]
     narrowest: f64,
     /// States drawn afresh in each cell, by which the map's error is measured.
-    #[arg(long, value_name = "N", default_value_t = 2)]
+    #[arg(long, value_name = "N", default_value_t = 2, allow_negative_numbers = true)]
     states: usize,
     /// Table of `exact` over ratios of axes as `creepage table build --a-over-b 0.15,30 --shapes 19` makes it, for
     /// the wheelset's Poisson's ratio; built first if not given, which takes as long as the map.
@@ -71,6 +71,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<Outcome, Failure> {
         source: Box::new(source),
     };
     let plan = plan(args, &MapPlan::of(&case).map_err(wrong)?);
+    plan.check().map_err(|source| Failure::MapPlan { source: Box::new(source) })?;
     let failed = |source| Failure::Write { path: args.out.clone(), source };
     Sources::new([&args.wheelset]).ensure_not_overwritten(&args.out)?;
     case.sources().ensure_not_overwritten(&args.out)?;

@@ -41,6 +41,9 @@ pub(crate) fn run(args: &ProfileArgs) -> Result<Outcome, Failure> {
         print(&listed())?;
         return Ok(Outcome::Done);
     }
+    if let Some(value) = args.unit.filter(|unit| !(*unit > 0.0 && unit.is_finite())) {
+        return Err(Failure::Unit { value });
+    }
     if let (false, Some(out)) = (args.survey.is_empty(), &args.out) {
         return survey::run(args, out);
     }

@@ -89,19 +89,43 @@ pub(crate) struct ProfileArgs {
     )]
     pub(crate) cant: f64,
     /// The gauge (m).
-    #[arg(long, value_name = "METRES", default_value_t = 1.435, requires = "rail")]
+    #[arg(
+        long,
+        value_name = "METRES",
+        default_value_t = 1.435,
+        requires = "rail",
+        allow_negative_numbers = true
+    )]
     pub(crate) gauge: f64,
     /// Depth below the rails' tops at which it is measured (m).
-    #[arg(long, value_name = "METRES", default_value_t = 0.014, requires = "rail")]
+    #[arg(
+        long,
+        value_name = "METRES",
+        default_value_t = 0.014,
+        requires = "rail",
+        allow_negative_numbers = true
+    )]
     pub(crate) gauge_height: f64,
     /// Distance between the flange backs (m).
-    #[arg(long, value_name = "METRES", default_value_t = 1.36, requires = "rail")]
+    #[arg(
+        long,
+        value_name = "METRES",
+        default_value_t = 1.36,
+        requires = "rail",
+        allow_negative_numbers = true
+    )]
     pub(crate) back_to_back: f64,
     /// The flange back's y in the profiles (m).
     #[arg(long, value_name = "METRES", default_value_t = -0.07, requires = "survey", allow_negative_numbers = true)]
     pub(crate) flange_back: f64,
     /// Nominal radius of the wheels (m).
-    #[arg(long, value_name = "METRES", default_value_t = 0.46, requires = "rail")]
+    #[arg(
+        long,
+        value_name = "METRES",
+        default_value_t = 0.46,
+        requires = "rail",
+        allow_negative_numbers = true
+    )]
     pub(crate) radius: f64,
     /// With --survey: the profile when it was new, a name or a file.
     #[arg(long, value_name = "PROFILE", requires = "survey")]
@@ -123,7 +147,7 @@ pub(crate) struct ProfileArgs {
     pub(crate) side: Option<SideName>,
     /// Length of the file's unit (m), such as 0.001 or 0.0254; as the format has it, else found by
     /// the profile's size, if not given.
-    #[arg(long, value_name = "METRES")]
+    #[arg(long, value_name = "METRES", allow_negative_numbers = true)]
     pub(crate) unit: Option<f64>,
     /// Where y grows to in the file.
     #[arg(long)]
@@ -132,7 +156,7 @@ pub(crate) struct ProfileArgs {
     #[arg(long)]
     pub(crate) z: Option<UprightSense>,
     /// Smooth the profile: waves of this length (m) keep half of their amplitude.
-    #[arg(long, value_name = "METRES")]
+    #[arg(long, value_name = "METRES", allow_negative_numbers = true)]
     pub(crate) smooth: Option<f64>,
 }
 

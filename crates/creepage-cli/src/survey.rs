@@ -131,9 +131,6 @@ impl<'a> Survey<'a> {
             let wrong = |source| Failure::Profile { path: name.clone(), source };
             Ok(reading.map_err(wrong)?.profile)
         };
-        if let Some(value) = args.wanted().unit.filter(|unit| !(*unit > 0.0 && unit.is_finite())) {
-            return Err(Failure::Unit { value });
-        }
         let rail = args.rail.as_ref().map(profile).transpose()?;
         let place = creepage_rail::Place::gauge(args.gauge, args.gauge_height);
         let track = rail.map(|rail| Track::new(&rail, args.cant, place)).transpose();

@@ -30,14 +30,14 @@ pub(crate) struct BuildArgs {
           allow_hyphen_values = true)]
     a_over_b: Numbers,
     /// Number of ratios in a range, in equal steps of their logarithm.
-    #[arg(long, value_name = "N", default_value_t = 9)]
+    #[arg(long, value_name = "N", default_value_t = 9, allow_negative_numbers = true)]
     shapes: usize,
     /// Combined Poisson's ratio; or the first and the last of a range, as 0,0.5.
     #[arg(long, value_name = "RATIO[,RATIO]", default_value = "0.28", value_parser = numbers,
           allow_hyphen_values = true)]
     poisson: Numbers,
     /// Number of Poisson's ratios in a range.
-    #[arg(long, value_name = "N", default_value_t = 4)]
+    #[arg(long, value_name = "N", default_value_t = 4, allow_negative_numbers = true)]
     materials: usize,
     /// Intervals along theta (from pure spin to none), phi (from -eta over xi to eta; even) and t
     /// (from no creepage to infinite creepage).
@@ -45,7 +45,7 @@ pub(crate) struct BuildArgs {
     intervals: Intervals,
     /// At how many random places to measure the error, and at about as many where the force bends
     /// most.
-    #[arg(long, value_name = "N", default_value_t = 500)]
+    #[arg(long, value_name = "N", default_value_t = 500, allow_negative_numbers = true)]
     places: usize,
     /// File for the table; it appears when it is whole.
     #[arg(long, value_name = "FILE.nc")]

@@ -98,6 +98,9 @@ fn even(name: &'static str, given: &[f64]) -> Result<Vec<f64>, Failure> {
     if !((1.0..=MAX_VALUES).contains(&count) && count.fract().abs() < f64::EPSILON) {
         return Err(wrong(count, "a whole COUNT, 1 to 100000").into());
     }
+    if count > 1.0 && (to - from).abs() <= f64::EPSILON * from.abs() {
+        return Err(wrong(to, "two different ends, or COUNT 1").into());
+    }
     let step = if count > 1.0 { (to - from) / (count - 1.0) } else { 0.0 };
     let places = std::iter::successors(Some(0.0), |k| Some(k + 1.0)).take_while(|k| *k < count);
     Ok(places.map(|k| from + k * step).collect())

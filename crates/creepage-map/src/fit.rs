@@ -94,6 +94,7 @@ pub fn fit(
     let is_good = samples.len() >= 9
         && finite.copied().all(f64::is_finite)
         && high > low
+        && axis.high > MARGIN.powi(2) * axis.low
         && contour.length > 0.0
         && contour.scale.iter().all(|scale| *scale > 0.0 && scale.is_finite());
     if !is_good {

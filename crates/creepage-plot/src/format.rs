@@ -111,6 +111,8 @@ mod tests {
     proptest! {
         #[test]
         fn significant_digits_read_back(value in proptest::num::f64::NORMAL, digits in 1..9_usize) {
+            // Beyond, what is rounded up is no number any more.
+            prop_assume!(value.abs() < 1.5e308);
             let back: f64 = significant(value, digits).parse().unwrap();
             // Half a unit of the last digit, and the roundings of two conversions.
             let bound = 0.5 * 0.1_f64.powi(i32::try_from(digits).unwrap() - 1) + 1e-14;

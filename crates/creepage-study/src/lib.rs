@@ -69,6 +69,7 @@ mod measured;
 mod points;
 mod recent;
 mod report;
+mod separator;
 mod series;
 mod solve;
 mod sources;

@@ -1,6 +1,8 @@
 //! The points at which stresses are asked: a table with columns `x,y,z`.
 
-use csv::{ReaderBuilder, StringRecord, Trim};
+use csv::StringRecord;
+
+use crate::separator::Separator;
 
 const COLUMNS: [&str; 3] = ["x", "y", "z"];
 
@@ -44,7 +46,8 @@ pub enum PointsError {
 }
 
 /// Points `[x, y, z]` (m), `z` into the body, from CSV with these columns in any order; others are
-/// passed over.
+/// passed over, and so are lines that begin with `#`. Columns may be separated by semicolons or tabs, and between
+/// semicolons a comma may be the decimal sign.
 ///
 /// ```
 /// assert_eq!(creepage_study::read_points("z,x,y\n1e-3,0,0\n")?, [[0.0, 0.0, 1e-3]]);
@@ -54,9 +57,12 @@ pub enum PointsError {
 /// # Errors
 /// [`PointsError`], which names row and column.
 pub fn read_points(text: &str) -> Result<Vec<[f64; 3]>, PointsError> {
-    let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(text.as_bytes());
+    let text = text.trim_start_matches('\u{feff}');
+    let separator = Separator::of(text);
+    let mut reader = separator.reader().from_reader(text.as_bytes());
     let places = places(reader.headers()?)?;
-    reader.into_records().zip(1..).map(|(record, row)| point(&record?, places, row)).collect()
+    let point = |(record, row): (csv::Result<_>, usize)| point(&record?, separator, places, row);
+    reader.into_records().zip(1..).map(point).collect()
 }
 
 fn places(header: &StringRecord) -> Result<[usize; 3], PointsError> {
@@ -71,11 +77,16 @@ fn places(header: &StringRecord) -> Result<[usize; 3], PointsError> {
     Ok(places)
 }
 
-fn point(record: &StringRecord, places: [usize; 3], row: usize) -> Result<[f64; 3], PointsError> {
+fn point(
+    record: &StringRecord,
+    separator: Separator,
+    places: [usize; 3],
+    row: usize,
+) -> Result<[f64; 3], PointsError> {
     let mut point = [0.0; 3];
     for ((number, place), column) in point.iter_mut().zip(places).zip(COLUMNS) {
         let text = record.get(place).unwrap_or_default();
-        let found = text.parse().ok().filter(|value: &f64| value.is_finite());
+        let found = separator.number(text).filter(|value| value.is_finite());
         *number =
             found.ok_or_else(|| PointsError::Number { row, column, text: text.to_string() })?;
     }

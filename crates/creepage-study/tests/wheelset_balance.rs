@@ -4,8 +4,8 @@
 use std::path::Path;
 
 use creepage_study::{
-    Load, SolvedContact, SolvedWheel, SolvedWheelset, WheelsetCase, WheelsetFile, WheelsetPose,
-    WheelsetVelocity,
+    Drive, Load, SolvedContact, SolvedWheel, SolvedWheelset, WheelsetCase, WheelsetFile,
+    WheelsetPose, WheelsetVelocity, wheelset_caution_words,
 };
 
 /// S1002 on UIC 60 with 200 kN; roll and pitch rate are free.
@@ -78,7 +78,63 @@ fn a_load_between_two_states_is_met_within_its_bar() {
         // The states are four thousandths apart.
         let bar = on_rail.force_error.unwrap()[2].max(1e-4 * load);
         assert!(missed.abs() < bar.min(5e-4 * load), "{missed} {bar}");
+        // The wheel says so itself.
+        assert!((wheel.missed_load - missed).abs() < 1e-9 * load, "{missed} {}", wheel.missed_load);
     }
+    assert_eq!(wheelset_caution_words(&solved), Vec::<String>::new());
+}
+
+/// Where rails dip normals lean along the track: a longitudinal force that is asked for is that of pressure and friction.
+#[test]
+fn a_longitudinal_force_is_met_where_normals_lean() {
+    let case = example("rail-dip.toml", "theory = \"fastsim\"");
+    for wanted in [-3000.0, 3000.0] {
+        let drive = Drive::Force(wanted);
+        let travel = WheelsetVelocity { drive, ..case.travel.unwrap() };
+        let solved = case.solver().unwrap().solve(&case.stance, &travel).unwrap();
+        let sum: f64 = solved.wheels().map(|wheel| wheel.on_rail().force[0]).sum();
+        let leans: f64 = solved
+            .wheels()
+            .flat_map(SolvedWheel::contacts)
+            .map(|one| one.load() * one.slope.sin().abs())
+            .sum();
+        // To 1e-5 of what friction could have.
+        let most: f64 =
+            solved.wheels().map(|wheel| solved.friction * wheel.on_rail().force[2]).sum();
+        assert!((sum - wanted).abs() < 1e-5 * most && leans > 100.0, "{wanted}: {sum}, {leans}");
+    }
+}
+
+/// Far on the flange at large yaw wheel and rail do not part along rolling: the refusal says so, and names no key.
+#[test]
+fn surfaces_that_do_not_part_are_named() {
+    let case = case("theory = \"fastsim\"");
+    let pose = WheelsetPose {
+        y: 0.010_179_058_296,
+        yaw: 0.059_710_349_031,
+        roll: Some(-9.064_317_568_5e-4),
+        load: Some(Load::Height(-6.207_300_322e-4)),
+        ..case.stance
+    };
+    let refused = case.solver().unwrap().solve(&pose, &case.travel.unwrap()).unwrap_err();
+    let words = "right wheel: wheel and rail do not part along rolling there";
+    assert!(refused.to_string().starts_with(words), "{refused}");
+}
+
+/// A wheel that carries another load than the one asked of it says so with both numbers, from a thousandth on.
+#[test]
+fn a_load_that_is_missed_is_told() {
+    let case = case("resolution = \"fast\"");
+    let mut solved = case.solver().unwrap().solve(&case.stance, &case.travel.unwrap()).unwrap();
+    let right = solved.right.as_mut().unwrap();
+    let load = right.on_rail().force[2];
+    right.missed_load = -5e-4 * load;
+    assert_eq!(wheelset_caution_words(&solved), Vec::<String>::new());
+    solved.right.as_mut().unwrap().missed_load = -0.01 * load;
+    let words = wheelset_caution_words(&solved);
+    assert_eq!(words.len(), 1, "{words:?}");
+    let begins = "right wheel: carries 1 kN less than the 101 kN asked of it";
+    assert!(words[0].starts_with(begins), "{words:?}");
 }
 
 /// What is given has no error: where the pitch rate is found, one wheel's longitudinal force is the other's but for the

@@ -152,7 +152,7 @@ fn conicity_names_rough_profiles() {
         // Contact of S1002 on UIC60 ends some 8 mm off the centre, where the flange climbs.
         let [from, to] = difference.range();
         assert!(from < -7.5e-3 && to > 7.5e-3, "{from} {to}");
-        (case.rough_profiles(&difference, false), difference.conicity(3e-3).unwrap())
+        (case.conicity_cautions(&difference, false), difference.conicity(3e-3).unwrap())
     };
     let (noisy, _) = found(&measured(5e-6, 1, None));
     assert_eq!(noisy.len(), 2, "{noisy:?}");
@@ -163,6 +163,21 @@ fn conicity_names_rough_profiles() {
     assert_eq!(standard, []);
     // Noise that smoothing leaves, about a micrometre, moves the contact by some tenths of a millimetre.
     assert!((conicity / exact - 1.0).abs() < 0.2, "{conicity} {exact}");
+}
+
+/// Wheels too far apart for their gauge ride on their flanges, and their conicity says so.
+#[test]
+fn conicity_names_wheels_on_their_flanges() {
+    let text =
+        example("s1002-on-uic60.toml").replace("back_to_back = 1.360", "back_to_back = 1.45");
+    let case = WheelsetFile::read(&text).unwrap().case(&examples()).unwrap();
+    let difference = case.radius_difference(false).unwrap();
+    let cautions = case.conicity_cautions(&difference, false);
+    let rides = |side: Side| {
+        let mut own = cautions.iter().filter(|(of, _)| *of == side);
+        own.any(|(_, caution)| matches!(caution, Caution::Climbs { height } if *height > 20e-3))
+    };
+    assert!(rides(Side::Left) && rides(Side::Right), "{cautions:?}");
 }
 
 #[test]

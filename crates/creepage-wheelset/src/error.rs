@@ -52,7 +52,7 @@ pub enum WheelsetError {
     #[error("[wheelset] roll = \"free\": {0}")]
     Resting(GeometryError),
     /// Surfaces that make no undeformed distance.
-    #[error("{} wheel: {source}", side_word(*side))]
+    #[error("{} wheel: {}", side_word(*side), shape_word(source))]
     Shape {
         /// The side.
         side: Side,
@@ -165,6 +165,17 @@ pub enum WheelsetError {
          try a position beside this one, less friction, or give z"
     )]
     NotSettled,
+}
+
+/// What a gap refuses, in words of profiles.
+fn shape_word(source: &GapError) -> String {
+    match source {
+        GapError::Invalid(InvalidValue { quantity: "radius_rolling", .. }) => {
+            "wheel and rail do not part along rolling there, as far on the flange at large yaw: give another position"
+                .into()
+        }
+        other => other.to_string(),
+    }
 }
 
 /// What pressing refuses, in words of profiles: nobody gave a gap.

@@ -71,6 +71,8 @@ pub struct SolvedWheel {
     pub guard_clearance: Option<f64>,
     /// How far its rail gave way on its springs, to the right and down (m), where it lies on any.
     pub deflection: Option<[f64; 2]>,
+    /// What it carries beyond the load that was asked of it (N): below 1e-4 of that, but where loads jump.
+    pub missed_load: f64,
     /// Its vertical force, and how that was found to change.
     pub(crate) line: LoadLine,
     /// Origin of the rail's profile in track axes (m).

@@ -57,6 +57,8 @@ pub(crate) enum ColumnError {
     NoneVaries { known: String, found: String },
     #[error("its rows are in UTF-16: save it as UTF-8")]
     Utf16,
+    #[error("a quote that is opened in the header is not closed on its line")]
+    OpenQuote,
     #[error(transparent)]
     Case(Box<CaseError>),
     #[error("column {0} is there twice")]

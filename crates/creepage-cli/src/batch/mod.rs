@@ -24,7 +24,7 @@ use columns::{CaseColumns, ColumnError, Columns, NoCase};
 use row_query::{Ask, RowQuery};
 use rows::{Answer, Rows, Sink};
 use stream::{Stream, progress_bar};
-use table::Table;
+use table::{Table, goes_on};
 use tally::Tally;
 
 use crate::batch_args::BatchArgs;
@@ -123,9 +123,10 @@ fn write_answers<A>(
 ) -> Result<Tally, Failure> {
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
     if let Some(out) = &args.out {
-        // The rows may: they come back with more columns.
         let read = args.case.as_deref().map(sources_of).unwrap_or_default();
-        read.with(&Sources::new(&args.table)).ensure_not_overwritten(out)?;
+        let rows = args.input.as_deref().filter(|input| *input != Path::new("-"));
+        let others = Sources::new(args.table.as_deref().into_iter().chain(rows));
+        read.with(&others).ensure_not_overwritten(out)?;
     }
     let mut sink = Sink::open(args.out.as_deref()).map_err(failed)?;
     sink.write_all(&table.comments).map_err(failed)?;
@@ -146,22 +147,22 @@ fn fill<A>(
 ) -> Result<Tally, Failure> {
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
     let bar = progress_bar(args);
+    let (columns, delimiter) = (table.header.len(), table.delimiter);
     let (mut stream, name) = (Stream::start(table.reader), table.name);
-    // An open quote takes the lines below it for one field.
-    let mut over_lines = 0;
+    let mut open = 0;
     loop {
         let rows = stream.next().map_err(|source| Failure::Rows { input: name.clone(), source })?;
         if rows.is_empty() {
             bar.finish_and_clear();
-            if over_lines > 0 {
+            if open > 0 {
+                let have = if open == 1 { "row has" } else { "rows have" };
                 say(&format!(
-                    "caution: {name}: {over_lines} rows have a field that goes over several lines: is a quote left open?"
+                    "caution: {name}: {open} {have} a field that holds other rows: is a quote left open?"
                 ));
             }
-            return out.finish().map_err(failed);
+            return Ok(out.finish().map_err(failed)?.with_open_quotes(open));
         }
-        let goes_on = |row: &&ByteRecord| row.iter().any(|field| field.contains(&b'\n'));
-        over_lines += rows.iter().filter(goes_on).count();
+        open += rows.iter().filter(|row| holds_others(row, columns, delimiter)).count();
         let answers = answers(&rows)?;
         for (row, answer) in rows.into_iter().zip(answers) {
             write(&mut out, row, answer).map_err(failed)?;
@@ -170,6 +171,14 @@ fn fill<A>(
         bar.set_position(stream.position());
         bar.set_message(format!("{} rows", out.tally().rows()));
     }
+}
+
+/// Whether a row has a field that holds lines below it, as after a quote that is left open: what it swallows has as
+/// many separators as a row, or what it leaves is no row.
+fn holds_others(row: &ByteRecord, columns: usize, delimiter: u8) -> bool {
+    let parts = |field: &[u8]| field.split(|byte| *byte == delimiter).count();
+    let is_wrong = row.len() != columns;
+    row.iter().any(|field| goes_on(field) && (is_wrong || parts(field) >= columns))
 }
 
 /// The answers to rows, in their order.

@@ -31,12 +31,16 @@ impl Table {
         };
         let mut input = BufReader::with_capacity(1 << 16, input);
         let read = |source: io::Error| Failure::Rows { input: name.clone(), source: source.into() };
-        let (comments, first) = first_lines(&mut input).map_err(read)?;
+        let (comments, mut first) = first_lines(&mut input).map_err(read)?;
         let wrong = |source| Failure::Columns { input: name.clone(), source };
         if first.contains(&0) || first.starts_with(&[0xff, 0xfe]) {
             return Err(wrong(ColumnError::Utf16));
         }
         let delimiter = delimiter(&first);
+        // An open quote takes the end of the line into its field.
+        if !first.ends_with(b"\n") {
+            first.push(b'\n');
+        }
         let mut builder = ReaderBuilder::new();
         let whole: Input = Box::new(Cursor::new(first).chain(input));
         let mut reader = builder.flexible(true).delimiter(delimiter).from_reader(whole);
@@ -46,6 +50,9 @@ impl Table {
         };
         if header.is_empty() {
             return Err(wrong(ColumnError::Empty));
+        }
+        if header.iter().any(goes_on) {
+            return Err(wrong(ColumnError::OpenQuote));
         }
         Ok(Self { name, comments, header, delimiter, reader })
     }
@@ -62,6 +69,11 @@ fn first_lines(input: &mut impl BufRead) -> io::Result<(Vec<u8>, Vec<u8>)> {
         }
         comments.append(&mut line);
     }
+}
+
+/// Whether a field goes over several lines.
+pub(super) fn goes_on(field: &[u8]) -> bool {
+    field.iter().any(|byte| b"\r\n".contains(byte))
 }
 
 /// What separates the columns: a comma, or where the header has none, a semicolon or a tab.

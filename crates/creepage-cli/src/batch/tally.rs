@@ -20,6 +20,8 @@ pub(super) struct Tally {
     dissimilar: usize,
     /// Rows with a number that may be in another unit.
     units: usize,
+    /// Rows with a field that holds other rows.
+    open_quotes: usize,
 }
 
 impl Tally {
@@ -46,6 +48,11 @@ impl Tally {
         }
     }
 
+    /// The same with so many rows that hold other ones.
+    pub(super) fn with_open_quotes(self, open_quotes: usize) -> Self {
+        Self { open_quotes, ..self }
+    }
+
     pub(super) fn rows(&self) -> usize {
         self.rows
     }
@@ -66,7 +73,8 @@ impl Tally {
     }
 
     pub(super) fn outcome(&self) -> Outcome {
-        if self.invalid + self.not_converged > 0 { Outcome::Doubtful } else { Outcome::Done }
+        let doubtful = self.invalid + self.not_converged + self.open_quotes;
+        if doubtful > 0 { Outcome::Doubtful } else { Outcome::Done }
     }
 }
 

@@ -130,6 +130,36 @@ fn an_out_that_cannot_be_written() {
 }
 
 #[test]
+fn all_cases_are_read_before_the_first_is_solved() {
+    let place = Place::new();
+    place.write("good.toml", CASE);
+    place.write("bad.toml", CASE.replace("friction = 0.3", "friction = -1"));
+    place.write("line.toml", "[contact]\nline_load = -1.0\n");
+    let files = place.files();
+    for (bad, words) in [
+        ("bad.toml", "bad.toml: [contact] friction = -1"),
+        ("line.toml", "line.toml: "),
+        ("none.toml", "cannot read none.toml"),
+    ] {
+        place.run(&["solve", "good.toml", bad]).refused(&[words]);
+        place.run(&["solve", "good.toml", bad, "--out", "out"]).refused(&[words]);
+    }
+    let magic = ["solve", "good.toml", "good.toml", "--theory", "magic"];
+    place.run(&magic).refused(&["unknown theory `magic`"]);
+    assert_eq!(place.files(), files);
+}
+
+#[test]
+fn standard_input_is_one_case() {
+    let place = Place::new();
+    place.write("case.toml", CASE);
+    let twice = place.run_on(&["solve", "-", "case.toml", "-"], CASE);
+    twice.refused(&["standard input (-) is given twice"]);
+    let once = place.run_on(&["solve", "-", "case.toml", "--theory", "linear"], CASE).done();
+    assert!(once.starts_with("== -\n") && once.contains("\n== case.toml\n"), "{once}");
+}
+
+#[test]
 fn a_wrong_command_line() {
     let place = Place::new();
     for arguments in [&["solve"][..], &["bach"], &["batch"], &["hertz", "a", "b"], &[]] {

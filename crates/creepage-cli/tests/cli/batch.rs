@@ -211,17 +211,13 @@ fn files_from_other_systems_read_alike() {
 }
 
 #[test]
-fn a_file_may_be_replaced_by_its_own_result() {
+fn a_file_is_not_replaced_by_its_own_result() {
     let place = Place::new();
     place.write("cases.csv", format!("{HEADER}1,0.28,1,0,0\n"));
+    let (files, cases) = (place.files(), place.read("cases.csv"));
     let command = [&BATCH[..], &["--in", "cases.csv", "--out", "cases.csv"]].concat();
-    assert_eq!(place.run(&command).done(), "");
-    assert_eq!(place.files(), ["cases.csv"]);
-    let result = place.read("cases.csv");
-    assert_eq!(result.lines().count(), 2);
-    // The result has the appended columns already: refused, and left as it is.
-    place.run(&command).refused(&["cases.csv: column fx is there already"]);
-    assert_eq!((place.read("cases.csv"), place.files().len()), (result, 1));
+    place.run(&command).refused(&["cases.csv would be written over what was read"]);
+    assert_eq!((place.files(), place.read("cases.csv")), (files, cases));
 }
 
 #[test]
@@ -390,6 +386,46 @@ fn a_misspelt_column_is_told() {
     }
     let ran = place.run_on(&rows, "time,run,longitudinal,lateral\n1,2,0.001,0\n");
     assert!(!ran.stderr.contains("caution"), "{}", ran.stderr);
+}
+
+#[test]
+fn an_open_quote_in_the_header_is_refused() {
+    let place = Place::new();
+    let command = [&BATCH[..], &["--out", "out.csv"]].concat();
+    let words = "a quote that is opened in the header is not closed on its line";
+    for (header, row) in [
+        ("a_over_b,poisson,xi,eta,chi,\"note\n", "1,0.28,1,0,0,a\n"),
+        ("a_over_b,poisson,xi,eta,chi,\"note\r\n", "1,0.28,1,0,0,a\r\n"),
+        ("\"no\nte\",a_over_b,poisson,xi,eta,chi\n", "a,1,0.28,1,0,0\n"),
+        ("a_over_b,poisson,xi,eta,chi,\"note", ""),
+    ] {
+        place.run_on(&command, format!("{header}{row}")).refused(&["standard input: ", words]);
+    }
+    assert!(place.files().is_empty());
+    let closed = "a_over_b,poisson,xi,eta,chi,\"note, \"\"a\"\"\"\n1,0.28,1,0,0,a\n";
+    assert_eq!(place.run_on(&BATCH, closed).done().lines().count(), 2);
+}
+
+/// Rows within a field are not answered: not all is done, though each row that is left is a case.
+#[test]
+fn rows_that_an_open_quote_takes_are_not_done() {
+    let [a, b] = ["1,0.28,1,0,0,a\n", "1,0.28,1,0,0,b\n"];
+    let last = "a_over_b,poisson,xi,eta,chi,note\n";
+    let [c, d] = ["c,1,0.28,1,0,0\n", "d\",1,0.28,1,0,0\n"];
+    for (input, rows) in [
+        (format!("{last}1,0.28,1,0,0,\"a\n{a}{b}"), "1 rows: 1 solved"),
+        (format!("{last}{a}1,0.28,1,0,0,\"a\n{b}"), "2 rows: 2 solved"),
+        (format!("note,{HEADER}\"{c}\"{d}"), "1 rows: 1 solved"),
+    ] {
+        let ran = batch(input);
+        assert_eq!(ran.code, Some(3), "{}", ran.stderr);
+        assert!(ran.stderr.contains(rows), "{}", ran.stderr);
+        assert!(ran.stderr.contains("1 row has a field that holds other rows"), "{}", ran.stderr);
+    }
+    // A note of several lines is one.
+    let ran = batch(format!("{last}1,0.28,1,0,0,\"a, b\nc, d\"\n{b}"));
+    assert!(!ran.stderr.contains("caution"), "{}", ran.stderr);
+    assert_eq!(ran.code, Some(0));
 }
 
 /// An open quote takes the rows below it for one field, which is told.

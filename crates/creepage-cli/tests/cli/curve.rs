@@ -104,6 +104,7 @@ fn bad_arguments_are_refused_and_nothing_is_written() {
     refused(&["--vary", "xi", "--from", "inf"], &["from = inf is not valid"]);
     refused(&["--vary", "xi", "--to", "1e101"], &["xi = 1"]);
     refused(&["--points", "1"], &["1", "2..=10001"]);
+    refused(&["--points", "-1"], &["-1", "2..=10001"]);
     place.run(&["curve", "nowhere.toml"]).refused(&["cannot read nowhere.toml"]);
     place.write("file", "in the way");
     place.run(&curve(&["--out", "file/out"])).refused(&["cannot write file/out"]);

@@ -64,6 +64,39 @@ fn a_small_map_is_built_and_says_its_error() {
         "{text}"
     );
     assert!(place.path("map.nc").exists() && !place.path("map.nc.journal").exists());
+    // The map itself is no table.
+    place
+        .run(&["map", "wheelset.toml", "--out", "other.nc", "--ellipses", "map.nc"])
+        .refused(&["map.nc is a contact map, not a table of creep force"]);
+    place.run(&["table", "info", "map.nc"]).refused(&["map.nc is a contact map"]);
+    assert_eq!(place.files(), ["ellipses.nc", "map.nc", "wheelset.toml"]);
+}
+
+/// By the names of options, and before a table of ellipses is begun.
+#[test]
+fn wrong_numbers_of_a_plan_are_refused_by_their_options() {
+    let place = place();
+    for (option, value, words) in [
+        ("--y", "-1", "--y must be above 0 m, at most 0.05 m, got -1"),
+        ("--y", "nan", "--y must be above 0 m, at most 0.05 m, got NaN"),
+        ("--yaw", "-1", "--yaw must be 0 to 0.05 rad, got -1"),
+        ("--yaw", "2", "--yaw must be 0 to 0.05 rad, got 2"),
+        ("--tolerance", "0", "--tolerance must be positive and finite, got 0"),
+        ("--tolerance", "-1", "--tolerance must be positive and finite, got -1"),
+        ("--narrowest", "0", "--narrowest must be 5e-6 m to the width of the widest cells, got 0"),
+        ("--narrowest", "-1", "--narrowest must be 5e-6 m to"),
+        ("--loads", "5,4", "--loads must be rising, each above the one before, got 4"),
+        ("--loads", "5,5", "--loads must be rising, each above the one before, got 5"),
+        ("--loads", "-1,4", "--loads must be positive and finite, got -1"),
+        ("--loads", "4,nan", "--loads must be positive and finite, got NaN"),
+        ("--loads", "5", "--loads must be two or more in number, got 1"),
+        ("--states", "-1", "invalid value '-1' for '--states <N>'"),
+    ] {
+        let ran = place.run(&["map", "wheelset.toml", "--out", "map.nc", option, value]);
+        ran.refused(&[words]);
+        assert!(!ran.stderr.contains("wheelset.toml"), "{}", ran.stderr);
+    }
+    assert_eq!(place.files(), ["wheelset.toml"]);
 }
 
 #[test]

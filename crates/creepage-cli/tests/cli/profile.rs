@@ -116,6 +116,14 @@ fn what_the_file_does_not_say_can_be_said() {
     place.run(&wrong).refused(&["line 2", "m long"]);
     let negative = ["profile", "s1002.txt", "--role", "wheel", "--smooth=-1"];
     place.run(&negative).refused(&["smoothing wavelength = -1 m"]);
+    for value in ["-1", "0", "nan"] {
+        let unit = ["profile", "s1002.txt", "--role", "wheel", "--unit", value];
+        place.run(&unit).refused(&["--unit must be positive and finite, got"]);
+    }
+    let apart = ["profile", "s1002.txt", "--role", "wheel", "--smooth", "-1"];
+    place.run(&apart).refused(&["smoothing wavelength = -1 m"]);
+    let survey = ["profile", "--survey", "*.txt", "--out", "s.csv", "--rail", "UIC60"];
+    place.run(&[&survey[..], &["--gauge", "-1"]].concat()).refused(&["gauge = -1: must be above"]);
     // z is said to point up, and so the flange to lie above the tread.
     let over = ["profile", "s1002.txt", "--role", "wheel", "--z", "up", "--y", "field-side"];
     place.run(&over).refused(&["z = up contradicts the shape", "flange", "--z"]);

@@ -227,7 +227,10 @@ fn wrong_tables_are_refused_and_nothing_is_written() {
         ("distance,xi\n", &["no rows"]),
         ("xi\n1\n", &["distance is missing"]),
         ("distance,xi,longitudinal\n1,1,1\n", &["xi", "longitudinal", "exclude"]),
-        ("distance,xi,xi\n1,1,1\n", &["xi", "exclude"]),
+        ("distance,xi,xi\n1,1,1\n", &["column xi is there twice"]),
+        ("distance,distance\n1,1\n", &["column distance is there twice"]),
+        ("distance;xi\n0,1;0,1\n0,2;x\n", &["row 2", "xi = `x`"]),
+        ("distance\txi\n1\t0\n2\tx\n", &["row 2", "xi = `x`"]),
         ("distance,lateral_force,lateral\n1,1,1\n", &["lateral_force", "lateral"]),
         ("distance,latteral\n1,1\n", &["latteral", "did you mean `lateral`"]),
         ("distance,xi\n1\n", &["row 1", "fields"]),
@@ -526,11 +529,22 @@ fn rails_on_springs_do_not_roll_in_steps() {
 fn wheels_that_cannot_roll_in_steps_are_told_so() {
     refused(WHEEL, "distance,z,wheel_load\n0.001,0.0,50e3\n", &["wheel_load", "z"]);
     refused(WHEEL, "distance,hight\n0.001,0.0\n", &["hight"]);
+    refused(WHEEL, "distance;y\n0,002;0,0\n0,001;0,0\n", &["row 2", "distance = 0.001 m"]);
     let free = WHEEL.replace("pitch_rate = 43.522", "pitch_rate = \"free\"");
     refused(&free, "distance\n0.001\n", &["pitch_rate"]);
     refused(WHEEL, "distance,speed\n0.001,0\n", &["speed above zero"]);
     let simple = WHEEL.replace("resolution = \"fast\"", "theory = \"fastsim\"");
     refused(&simple, "distance\n0.001\n", &["exact"]);
+}
+
+#[test]
+fn a_spreadsheets_separators_are_those_of_a_history() {
+    let fastsim = case().replace("resolution = [8, 8]", "theory = \"fastsim\"\ngrid = [9, 9]");
+    let expected = rolled(&fastsim, "distance,longitudinal\n0.003,-0.001\n0.006,0.001\n");
+    let semicolons = "# a rig\ndistance;longitudinal\n0,003;-0,001\n0,006;1e-3\n";
+    assert_eq!(rolled(&fastsim, semicolons), expected);
+    let tabs = "\u{feff}distance\tlongitudinal\n0.003\t-0.001\n0.006\t0.001\n";
+    assert_eq!(rolled(&fastsim, tabs), expected);
 }
 
 /// A component by force in one row and by creepage in the next: each row has one of the two.

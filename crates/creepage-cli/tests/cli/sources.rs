@@ -34,6 +34,8 @@ fn a_result_spares_what_was_read() {
         ("stresses case.toml --points stresses.csv --out .", "stresses.csv"),
         ("roll roll.toml --history history.csv --out .", "history.csv"),
         ("batch --case case.toml --in loads.csv --out ./case.toml", "case.toml"),
+        ("batch --case case.toml --in loads.csv --out loads.csv", "loads.csv"),
+        ("batch --case gap.toml --in loads.csv --out ./loads.csv", "loads.csv"),
         ("sweep sweep.csv --out sweep.csv", "sweep.csv"),
     ];
     for (command, spared) in commands {
@@ -150,4 +152,10 @@ fn a_link_to_what_was_read_is_no_other_file() {
         .run(&["solve", "gap.toml", "--out", "out"])
         .refused(&["points.csv would be written over"]);
     assert!(place.read("points.csv").starts_with("y,gap"));
+    std::os::unix::fs::symlink("loads.csv", place.path("link.csv")).unwrap();
+    for (input, out) in [("loads.csv", "link.csv"), ("link.csv", "loads.csv")] {
+        let batch = ["batch", "--case", "case.toml", "--in", input, "--out", out];
+        place.run(&batch).refused(&[out, "would be written over what was read"]);
+    }
+    assert_eq!(place.read("loads.csv"), "normal_force\n80e3\n");
 }

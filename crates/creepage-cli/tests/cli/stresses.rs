@@ -229,6 +229,20 @@ fn wrong_points_are_refused_with_row_and_column() {
 }
 
 #[test]
+fn a_spreadsheets_separators_are_those_of_points() {
+    let place = Place::new();
+    place.write("case.toml", case([5e-3, 5e-3], 0.3, 1e-3, "saturated"));
+    let printed = |points: &str| {
+        place.write("points.csv", points);
+        place.run(&["stresses", "case.toml", "--points", "points.csv"]).done()
+    };
+    let expected = printed("x,y,z\n0.001,0,0.002\n");
+    assert_eq!(printed("x;y;z\n0,001;0;0,002\n"), expected);
+    assert_eq!(printed("\u{feff}x\ty\tz\n0.001\t0\t0.002\n"), expected);
+    assert_eq!(printed("x,y,z,note; more\n0.001,0,0.002,a\n"), expected);
+}
+
+#[test]
 fn wrong_commands_are_refused() {
     let place = Place::new();
     place.write("case.toml", case([5e-3, 5e-3], 0.3, 1e-3, "saturated"));

@@ -100,5 +100,14 @@ fn what_is_wrong_is_named_and_nothing_is_written() {
     }
     example(&place, |text| text);
     place.write("vehicle.csv", "share, hight\n1.0, 2.0\n");
-    place.run(&["wear", "s1002.toml", "--out", "worn"]).refused(&["hight", "axle_load"]);
+    let wear = || place.run(&["wear", "s1002.toml", "--out", "worn"]);
+    wear().refused(&["hight", "axle_load"]);
+    place.write("vehicle.csv", "share,y,y\n1.0,0.0,0.003\n");
+    wear().refused(&["[wear] table: vehicle.csv: column y is there twice"]);
+    // Other separators are read, and commas between semicolons as decimal signs.
+    place.write("vehicle.csv", "share;y\n0,5;0,001\n0,5;left\n");
+    wear().refused(&["vehicle.csv: row 2, y: \"left\" is no number"]);
+    place.write("vehicle.csv", "\u{feff}share\ty\n0.5\t0.001\nhalf\t0.0\n");
+    wear().refused(&["vehicle.csv: row 2, share: \"half\" is no number"]);
+    assert!(!place.path("worn").exists());
 }

@@ -180,6 +180,10 @@ fn a_table_is_written_whole() {
     fs::remove_file(place.path("z.nc")).unwrap();
     let wrong = ["wheelset", "case.toml", "--table", "u.nc", "--y", "0", "1", "0.5"];
     place.run(&wrong).refused(&["--y = 0.5", "a whole COUNT"]);
+    let same = ["wheelset", "case.toml", "--table", "u.nc", "--y", "0.001", "0.001", "3"];
+    place.run(&same).refused(&["--y = 0.001", "two different ends, or COUNT 1"]);
+    let zero = ["wheelset", "case.toml", "--table", "u.nc", "--yaw", "0", "-0", "2"];
+    place.run(&zero).refused(&["--yaw = ", "two different ends"]);
     let mut endless =
         vec!["wheelset", "case.toml", "--table", "u.nc", "--y", "0", "0.006", "40000"];
     endless.extend(["--yaw", "0", "0.01", "50000"]);

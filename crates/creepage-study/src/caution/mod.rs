@@ -168,6 +168,13 @@ pub enum Caution {
         /// What lies between them (m).
         clearance: f64,
     },
+    /// A wheel carries another load than the one asked of it: that jumps as the wheel goes down.
+    LoadMissed {
+        /// What it carries beyond the load asked of it (N).
+        missed: f64,
+        /// That load (N).
+        load: f64,
+    },
     /// A wheel has climbed its rail, or its flange rides on it.
     Climbs {
         /// By how much it stands above the height of its tread (m).
@@ -247,6 +254,8 @@ impl Caution {
     const CLIMB: f64 = 2e-3;
     /// Height (m) from which a flange rides on the rail; flanges are 27 to 36 mm high.
     const RIDES: f64 = 15e-3;
+    /// Part of its load that a wheel may miss without a word: ten times what loads are met to.
+    const MISSED: f64 = 1e-3;
     /// Approach (m) beyond that of any elastic contact of a wheel: 1 MN on a wheel gives .5 mm.
     const DEEP: f64 = 1e-3;
 
@@ -307,6 +316,12 @@ impl Caution {
     /// The height (m) of a wheel above that of its tread on its rail.
     pub(crate) fn climbs(height: f64) -> Option<Self> {
         (height > Self::CLIMB).then_some(Self::Climbs { height })
+    }
+
+    /// A wheel that carries `carried` (N), by `missed` more than is asked of it.
+    pub(crate) fn load_missed(carried: f64, missed: f64) -> Option<Self> {
+        let load = carried - missed;
+        (missed.abs() > Self::MISSED * load.abs()).then_some(Self::LoadMissed { missed, load })
     }
 
     /// With fewer points of a given gap across an area, that depends on how one interpolates.

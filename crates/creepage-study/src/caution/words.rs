@@ -22,6 +22,7 @@ impl fmt::Display for Caution {
             | Self::BeyondSlices
             | Self::Climbs { .. }
             | Self::GuardApart { .. }
+            | Self::LoadMissed { .. }
             | Self::Deep { .. }
             | Self::Groove { .. }
             | Self::Slides { .. } => self.write_of_bodies(f),
@@ -161,6 +162,14 @@ impl Caution {
                 f,
                 "the back of the flange does not touch the guard rail: {} mm lie between them",
                 significant(1e3 * clearance, 4)
+            ),
+            Self::LoadMissed { missed, load } => write!(
+                f,
+                "carries {} {} than the {} asked of it, which is within its error bar: the load jumps there as the \
+                 wheel goes down",
+                quantity(missed.abs(), "N", 3),
+                if missed < 0.0 { "less" } else { "more" },
+                quantity(load, "N", 4)
             ),
             Self::Climbs { height } if height > Self::RIDES => write!(
                 f,

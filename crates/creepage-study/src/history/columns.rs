@@ -1,6 +1,6 @@
 //! Table of a history: distances, loads and motions of the bodies, row by row.
 
-use std::io::Read;
+use std::io::{self, Read};
 
 use creepage::InvalidValue;
 use creepage::unsteady::{Motion, Prescribed};
@@ -9,6 +9,7 @@ use super::case::{RollCase, over};
 use super::error::{HistoryError, MotionError};
 use super::roller::HistoryMotion;
 use crate::case::keys::similar;
+use crate::separator::Separator;
 
 /// Row of a history: a distance, and the motion of the bodies up to it from that of the row before.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,21 +72,20 @@ impl History {
     /// Reads a table in CSV: `distance` (m); of each component of the motion the creepage in SI units
     /// (`longitudinal`, `lateral`, `spin`), the dimensionless one (`xi`, `eta`, `chi`) or the force
     /// (`longitudinal_force`, `lateral_force`, `moment`), zero creepage if none; `normal_force`. With a creepage and the
-    /// force of one component each row has one of the two, and the other field is empty.
+    /// force of one component each row has one of the two, and the other field is empty. Columns may be separated by
+    /// semicolons or tabs, and between semicolons a comma may be the decimal sign.
     ///
     /// # Errors
     /// [`HistoryError`] that names the column, and the row.
     pub fn read(input: impl Read, case: &RollCase) -> Result<Self, HistoryError> {
-        let mut reader = csv::ReaderBuilder::new()
-            .flexible(true)
-            .trim(csv::Trim::All)
-            .comment(Some(b'#'))
-            .from_reader(input);
-        let header = reader.headers()?.clone();
-        let columns = columns(header.iter().map(|name| name.trim_start_matches('\u{feff}')), case)?;
+        let text = io::read_to_string(input).map_err(csv::Error::from)?;
+        let text = text.trim_start_matches('\u{feff}');
+        let separator = Separator::of(text);
+        let mut reader = separator.reader().flexible(true).from_reader(text.as_bytes());
+        let columns = columns(reader.headers()?.iter(), case)?;
         let mut rows = Rows::new(&columns, case);
         for (index, record) in reader.records().enumerate() {
-            rows.push(&numbers(index + 1, &record?, &columns)?)?;
+            rows.push(&numbers(index + 1, &record?, separator, &columns)?)?;
         }
         rows.whole()
     }
@@ -154,6 +154,9 @@ fn columns<'a>(
             other == kind || is_component && kind.is_creepage() == other.is_creepage()
         };
         if let Some((second, _)) = found[index + 1..].iter().find(|(_, other)| is_same(other)) {
+            if first == second {
+                return Err(HistoryError::Twice { column: first });
+            }
             return Err(HistoryError::TwoColumns { first, second });
         }
         if *kind == Kind::NormalForce && case.has_areas() {
@@ -199,6 +202,7 @@ fn named(name: &str) -> Result<Column, HistoryError> {
 fn numbers(
     row: usize,
     record: &csv::StringRecord,
+    separator: Separator,
     columns: &[Column],
 ) -> Result<Vec<f64>, HistoryError> {
     let (found, expected) = (record.len(), columns.len());
@@ -209,7 +213,8 @@ fn numbers(
         if text.is_empty() && counterpart(*kind, columns).is_some() {
             return Ok(EMPTY);
         }
-        text.parse().map_err(|_| HistoryError::NotANumber { row, column, text: text.into() })
+        let wrong = || HistoryError::NotANumber { row, column, text: text.into() };
+        separator.number(text).ok_or_else(wrong)
     };
     record.iter().zip(columns).map(number).collect()
 }

@@ -120,12 +120,18 @@ pub enum HistoryError {
         /// A likely meaning, or the columns that there are.
         hint: String,
     },
+    /// A column twice.
+    #[error("column {column} is there twice")]
+    Twice {
+        /// Its name.
+        column: &'static str,
+    },
     /// Two columns for one thing.
     #[error("columns {first} and {second} exclude each other: give one of them")]
     TwoColumns {
         /// One.
         first: &'static str,
-        /// The other, or the same again.
+        /// The other.
         second: &'static str,
     },
     /// A column that the contact does not have.

@@ -2,10 +2,11 @@
 
 use std::fmt;
 
-use csv::{ReaderBuilder, StringRecord, Trim};
+use csv::StringRecord;
 
 use crate::Component;
 use crate::case::keys::similar;
+use crate::separator::Separator;
 
 /// Columns of the table.
 pub(crate) const CREEPAGE: [&str; 3] = ["longitudinal", "lateral", "spin"];
@@ -234,26 +235,16 @@ impl MeasuredPoints {
     /// no error: it is named in [`MeasuredPoints::unread`].
     pub fn read(text: &str) -> Result<Self, MeasuredError> {
         let text = text.trim_start_matches('\u{feff}');
-        let delimiter = delimiter(text);
-        let mut reader = ReaderBuilder::new()
-            .flexible(true)
-            .delimiter(delimiter)
-            .trim(Trim::All)
-            .comment(Some(b'#'))
-            .from_reader(text.as_bytes());
+        let separator = Separator::of(text);
+        let mut reader = separator.reader().flexible(true).from_reader(text.as_bytes());
         let header = reader.headers()?.clone();
         let names: Vec<_> = header.iter().collect();
         let places = Places::new(&names)?;
-        let number = |text: &str| {
-            let decimal_comma = delimiter == b';' && text.contains(',') && !text.contains('.');
-            let text = if decimal_comma { text.replace(',', ".") } else { text.into() };
-            text.parse::<f64>().ok()
-        };
         let records = reader.into_records().collect::<Result<Vec<StringRecord>, _>>()?;
         let rows = records.iter().map(|record| {
             move |place: usize| {
                 let text = record.get(place).unwrap_or_default();
-                (number(text), text.to_owned())
+                (separator.number(text), text.to_owned())
             }
         });
         Self::of(&places, &names, rows)
@@ -329,12 +320,6 @@ impl MeasuredPoints {
         let unit = if self.over_normal { point.normal_force.unwrap_or(normal) } else { 1.0 };
         point.force.map(|force| force.map(|force| force * unit))
     }
-}
-
-/// What separates the columns: a semicolon or a tab where the header has one, else a comma.
-fn delimiter(text: &str) -> u8 {
-    let header = text.lines().find(|line| !line.starts_with('#')).unwrap_or_default();
-    [b';', b'\t'].into_iter().find(|one| header.as_bytes().contains(one)).unwrap_or(b',')
 }
 
 #[cfg(test)]

@@ -93,6 +93,8 @@ fn cautions<'a>(
     let climbs = |wheel: &SolvedWheel| Some((wheel.side, Caution::climbs(wheel.height())?));
     let mut all: Vec<(Side, Caution)> = solved.wheels().filter_map(climbs).collect();
     for wheel in solved.wheels() {
+        let missed = Caution::load_missed(wheel.on_rail().force[2], wheel.missed_load);
+        all.extend(missed.map(|missed| (wheel.side, missed)));
         let clearance = wheel.guard_clearance.filter(|clearance| *clearance > 0.0);
         all.extend(clearance.map(|clearance| (wheel.side, Caution::GuardApart { clearance })));
         for (k, contact) in wheel.contacts().iter().enumerate() {
@@ -141,17 +143,24 @@ impl From<Roughness> for Caution {
 }
 
 impl WheelsetCase {
-    /// Profiles that are rough where wheel and rail touch, as of [`rough_profiles`]; in steel where no materials
-    /// are given. `rolls` as for [`WheelsetCase::radius_difference`].
+    /// What is odd about a conicity: wheels that stand on their flanges in the middle of the track, and profiles that are
+    /// rough where wheel and rail touch, as of [`rough_profiles`]; in steel where no materials are given. `rolls` as for
+    /// [`WheelsetCase::radius_difference`].
     #[must_use]
-    pub fn rough_profiles(
+    pub fn conicity_cautions(
         &self,
         difference: &RadiusDifference,
         rolls: bool,
     ) -> Vec<(Side, Caution)> {
+        let climbs = |side| {
+            let touch = self.running.touch(side, 0.0, 0.0, 0.0).ok()?;
+            Some((side, Caution::climbs(-touch.z)?))
+        };
+        let mut all: Vec<_> = [Side::Left, Side::Right].into_iter().filter_map(climbs).collect();
         let steel = || Solid::new(82e9, 0.28).map(|solid| SolidPair::new(solid, solid));
-        let Some(pair) = self.solids.or_else(|| steel().ok()) else { return Vec::new() };
+        let Some(pair) = self.solids.or_else(|| steel().ok()) else { return all };
         let rough = rough_profiles(&self.running, &pair, difference, rolls);
-        rough.into_iter().map(|(side, rough)| (side, rough.into())).collect()
+        all.extend(rough.into_iter().map(|(side, rough)| (side, rough.into())));
+        all
     }
 }

@@ -1,6 +1,6 @@
 //! Transient rolling of a wheelset: a table of positions, and the forces at the end of each.
 
-use std::io::Read;
+use std::io::{self, Read};
 use std::mem::discriminant;
 
 use creepage_rail::Side;
@@ -15,6 +15,7 @@ use super::report::wheelset_cautions;
 use super::steps_picture;
 use crate::Caution;
 use crate::case::keys::similar;
+use crate::separator::Separator;
 
 /// Columns of a table of positions: the distance rolled (m), the place along the track (m) and the wheels' turn (rad)
 /// where surfaces vary along rolling, a wheel's own load (N), and what a wheelset is asked by.
@@ -143,19 +144,17 @@ fn columns<'a>(names: impl Iterator<Item = &'a str>) -> Result<Vec<usize>, Wheel
 
 impl WheelTable {
     /// Reads a table in CSV: `distance` (m), and what of `s`, `pitch`, `wheel_load` and of the names of [`ASKED`]
-    /// differs from the case; an empty field is the case's own.
+    /// differs from the case; an empty field is the case's own. Columns may be separated by semicolons or tabs, and
+    /// between semicolons a comma may be the decimal sign.
     ///
     /// # Errors
     /// [`WheelTableError`] with the column and the row.
     pub fn read(input: impl Read) -> Result<Self, WheelTableError> {
-        let mut reader =
-            csv::ReaderBuilder::new().trim(csv::Trim::All).comment(Some(b'#')).from_reader(input);
-        let names: Vec<String> = reader
-            .headers()?
-            .iter()
-            .map(|name| name.trim_start_matches('\u{feff}').to_owned())
-            .collect();
-        let columns = columns(names.iter().map(String::as_str))?;
+        let text = io::read_to_string(input).map_err(csv::Error::from)?;
+        let text = text.trim_start_matches('\u{feff}');
+        let separator = Separator::of(text);
+        let mut reader = separator.reader().from_reader(text.as_bytes());
+        let columns = columns(reader.headers()?.iter())?;
         let mut table = Self { rows: Vec::new() };
         for (index, record) in reader.records().enumerate() {
             let mut values = vec![f64::NAN; columns.len()];
@@ -163,7 +162,7 @@ impl WheelTable {
                 if text.is_empty() && *column != 0 {
                     continue;
                 }
-                let number = text.parse().ok().filter(|number: &f64| number.is_finite());
+                let number = separator.number(text).filter(|number| number.is_finite());
                 *value = number.ok_or_else(|| WheelTableError::Number {
                     row: index + 1,
                     column: known()[*column].into(),

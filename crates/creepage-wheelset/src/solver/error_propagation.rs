@@ -50,6 +50,9 @@ impl SolvedWheelset {
         (stance, travel): (&WheelsetPose, &WheelsetVelocity),
         missed: [f64; 2],
     ) {
+        for wheel in self.left.iter_mut().chain(&mut self.right) {
+            wheel.missed_load = missed[place(wheel.side)];
+        }
         let missed = self.with_transfer(stance, missed);
         let mut wheels: Vec<&mut SolvedWheel> =
             self.left.iter_mut().chain(&mut self.right).collect();
@@ -101,7 +104,7 @@ fn propagate(
     for (k, contact) in contacts.iter().enumerate() {
         stiffness[group(k)] += contact.vertical_stiffness();
     }
-    let levers: Vec<[f64; 3]> = of_wheel
+    let levers: Vec<[f64; 4]> = of_wheel
         .iter()
         .zip(&contacts)
         .map(|(&wheel, contact)| contact.levers(travel.drive, wheels[wheel].position, radius))
@@ -187,7 +190,7 @@ impl Change {
 /// that turn together, where their pitch rate is found; and what is left unbalanced (in parts of all their friction).
 fn balance_pitch(
     (changes, unbalanced): (&mut [Change], f64),
-    (contacts, levers): (&[&SolvedContact], &[[f64; 3]]),
+    (contacts, levers): (&[&SolvedContact], &[[f64; 4]]),
     sides: &[usize],
     pitch: PitchRate,
 ) {
@@ -195,19 +198,22 @@ fn balance_pitch(
         PitchRate::Rigid(rate) => (vec![rate.is_none()], |_| 0),
         PitchRate::Independent(rates) => (rates.map(|rate| rate.is_none()).to_vec(), |side| side),
     };
-    let moment = |k: usize, friction: [f64; 3]| -> f64 {
-        levers[k].iter().zip(friction).map(|(lever, part)| lever * part).sum()
+    let moment = |k: usize, [longitudinal, lateral, moment]: [f64; 3], load: f64| -> f64 {
+        let parts = [longitudinal, lateral, moment, load];
+        levers[k].iter().zip(parts).map(|(lever, part)| lever * part).sum()
     };
     for group in (0..found.len()).filter(|group| found[*group]) {
         let own: Vec<usize> = (0..contacts.len()).filter(|k| turns(sides[*k]) == group).collect();
         let slopes: Vec<[f64; 3]> = own.iter().map(|k| contacts[*k].by_longitudinal()).collect();
-        let stiffness: f64 = own.iter().zip(&slopes).map(|(k, slopes)| moment(*k, *slopes)).sum();
+        let stiffness: f64 =
+            own.iter().zip(&slopes).map(|(k, slopes)| moment(*k, *slopes, 0.0)).sum();
         if stiffness == 0.0 {
             continue;
         }
         let most: f64 =
-            own.iter().map(|k| moment(*k, [contacts[*k].scaling.force, 0.0, 0.0])).sum();
-        let added: f64 = own.iter().map(|k| moment(*k, changes[*k].friction)).sum();
+            own.iter().map(|k| moment(*k, [contacts[*k].scaling.force, 0.0, 0.0], 0.0)).sum();
+        let added: f64 =
+            own.iter().map(|k| moment(*k, changes[*k].friction, changes[*k].load)).sum();
         let over = added + unbalanced * most;
         for (k, slopes) in own.into_iter().zip(slopes) {
             let friction = slopes.map(|slope| -over / stiffness * slope);
@@ -245,20 +251,22 @@ impl SolvedContact {
         Change { load: source.load, friction, force }
     }
 
-    /// What its longitudinal and lateral force and its moment add to what the pitch rate is found by: the moment about
-    /// the axle, or the longitudinal force.
-    fn levers(&self, drive: Drive, position: Position, radius: f64) -> [f64; 3] {
+    /// What its longitudinal and lateral force, its moment and its load add to what the pitch rate is found by: friction's
+    /// moment about the axle, or the longitudinal force on the rails.
+    fn levers(&self, drive: Drive, position: Position, radius: f64) -> [f64; 4] {
         if let Drive::Force(_) = drive {
-            return [1.0, 0.0, 0.0];
+            let [along, across, normal] = self.tilt().axes();
+            return [along[0], across[0], 0.0, normal[0]];
         }
         let (axle, centre) = (axle(position), [0.0, position.y, position.z - radius]);
         let units = [0, 1, 2].map(|part: usize| [0, 1, 2].map(|k| f64::from(u8::from(k == part))));
-        units.map(|[longitudinal, lateral, moment]| {
+        let [longitudinal, lateral, moment] = units.map(|[longitudinal, lateral, moment]| {
             let force = SiForce { longitudinal, lateral, moment };
             let acting = Acting::new(force, 0.0, [0.0; 2]);
             let (_, about) = acting.about(self.reference, self.tilt(), centre);
             about.iter().zip(axle).map(|(part, along)| part * along).sum()
-        })
+        });
+        [longitudinal, lateral, moment, 0.0]
     }
 
     /// What it carries more or less where the wheelset goes down by `depth` (m).

@@ -99,6 +99,7 @@ impl SolvedWheel {
             clearance,
             guard_clearance,
             deflection,
+            missed_load: 0.0,
             line,
             rail_origin,
             force_error: None,

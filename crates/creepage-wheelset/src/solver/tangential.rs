@@ -322,6 +322,12 @@ impl<'w, 'a> Rolling<'w, 'a> {
         moment.iter().zip(axle).map(|(m, a)| m * a).sum()
     }
 
+    /// Force on the rail along the track (N): of the friction, and of the pressure where its normal leans.
+    fn along_track(&self, force: SiForce) -> f64 {
+        let [along, across, normal] = self.pressed.contact.tilt().axes();
+        force.longitudinal * along[0] + force.lateral * across[0] + self.pressed.load() * normal[0]
+    }
+
     /// The wheelset's centre in track axes.
     pub(crate) fn centre(&self) -> [f64; 3] {
         let Position { y, z, .. } = self.wheel.position;
@@ -498,7 +504,8 @@ impl PitchSearch<'_> {
                 pairs.map(moment).sum::<f64>() - torque
             }
             Drive::Force(force) => {
-                force - rolled.iter().map(|rolled| rolled.force.longitudinal).sum::<f64>()
+                let pairs = rollings.iter().zip(rolled);
+                force - pairs.map(|(one, rolled)| one.along_track(rolled.force)).sum::<f64>()
             }
         }
     }

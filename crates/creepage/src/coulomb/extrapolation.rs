@@ -67,12 +67,19 @@ pub(crate) struct Extrapolation {
     bars: [[f64; 2]; 3],
     /// Of all error bars, for the length of the contact.
     longer: [f64; 3],
+    /// What no force and no moment can err by: twice what friction can have.
+    most: [f64; 3],
 }
 
 impl Extrapolation {
     /// Without a look at the pole.
-    pub(crate) const PLAIN: Self =
-        Self { beyond: [BEYOND; 3], pole: [0.0; 4], bars: [[0.0; 2]; 3], longer: [1.0; 3] };
+    pub(crate) const PLAIN: Self = Self {
+        beyond: [BEYOND; 3],
+        pole: [0.0; 4],
+        bars: [[0.0; 2]; 3],
+        longer: [1.0; 3],
+        most: [f64::INFINITY; 3],
+    };
 
     /// On an ellipse. Between dissimilar bodies slip turns elsewhere than around the pole.
     pub(crate) fn new(contact: &Contact, creepage: Creepage) -> Self {
@@ -86,7 +93,8 @@ impl Extrapolation {
         let beyond = LESS.map(|less| BEYOND * (1.0 - less * pole[0]));
         let loose = 1.0 - fit(contact.ellipse().ratio());
         let longer = UNFITTED.map(|times| 1.0 + (times - 1.0) * loose);
-        Self { beyond, pole, bars: [0, 1, 2].map(bar), longer }
+        let most = [2.0, 2.0, 2.0 * largest_arm(contact.ellipse().ratio())];
+        Self { beyond, pole, bars: [0, 1, 2].map(bar), longer, most }
     }
 
     /// The extrapolated force of a coarser and a finer grid in steady rolling, projected on `|f| <= mu N`: that
@@ -114,7 +122,9 @@ impl Extrapolation {
             let [alike, unlike] =
                 [0, 1].map(|i| self.bars[k][i] * (elements / 400.0).powf(SLOWER[i][k]));
             let from_scale = ((alike + unlike) * scale).max(NARROW[k] * narrow);
-            self.longer[k] * from_scale.max(least * own).max(MIN_ERROR_FRACTION[1] * most)
+            let bar =
+                self.longer[k] * from_scale.max(least * own).max(MIN_ERROR_FRACTION[1] * most);
+            bar.min(self.most[k])
         })
     }
 
@@ -182,6 +192,12 @@ fn ramp(at: f64, [from, to]: [f64; 2]) -> (f64, f64) {
 /// 99.5 to 100 % are, and half of the bars are more than 19 times as long as the error.
 pub(crate) fn error_bar(forces: [Force; 2], elements: usize) -> Force {
     bar_with_border(forces, BORDER / elements as f64)
+}
+
+/// The arm of friction about the centre that its moment cannot exceed, over `c`: by Cauchy the root of the mean square
+/// distance under Hertz's pressure, `(a^2 + b^2) / 5`.
+fn largest_arm(a_over_b: f64) -> f64 {
+    (0.2 * (a_over_b + a_over_b.recip())).sqrt()
 }
 
 /// Part of a force, times the number of elements, that the border of adhesion may hide.

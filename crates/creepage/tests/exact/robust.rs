@@ -24,12 +24,24 @@ fn senseless_input_is_refused() {
     assert!(Creepage::new(f64::INFINITY, 0.0, 0.0).is_err());
 }
 
-/// A long contact with slight spin, on which Newton's steps get nowhere without many sweeps.
+/// A long contact with slight spin, on which Newton's method stagnates without many sweeps.
 #[test]
 fn a_long_contact_with_slight_spin_is_solved() {
     let theory = exact(9.303_062_181_718_207, 0.483_015_682_733_850_4, Resolution::STANDARD);
     let case = [-2.793_671_270_413_084_8e-5, 0.115_676_810_196_619_5, 1.687_957_098_504_991_4e-3];
     assert_eq!(solve(&theory, case).status, Status::Solved);
+}
+
+/// No force can err by more than twice what friction can have: nor do error bars, however large the spin.
+#[test]
+fn error_bars_end_where_friction_does() {
+    let theory = exact(1.0, 0.28, Resolution::FAST);
+    for spin in [1e4, 1e10, 1e99] {
+        let error = components(solve(&theory, [spin, spin, spin]).error);
+        // On a circle the arm's root mean square under Hertz's pressure is the root of 2/5.
+        let most = [2.0, 2.0, 2.0 * 0.4_f64.sqrt() + 1e-12];
+        assert!(error.iter().zip(most).all(|(error, most)| *error <= most), "{spin}: {error:?}");
+    }
 }
 
 /// Anything from next to nothing to full sliding, of either sign, or none.

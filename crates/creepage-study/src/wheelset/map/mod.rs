@@ -130,7 +130,11 @@ impl MapPlan {
         std::array::from_fn(|k| most * (k as f64 / (HEIGHTS - 1) as f64).powf(1.5))
     }
 
-    fn check(&self) -> Result<(), MapBuildError> {
+    /// Checks its numbers.
+    ///
+    /// # Errors
+    /// [`MapBuildError::Plan`] with the first of them that no map can have.
+    pub fn check(&self) -> Result<(), MapBuildError> {
         let positive = |value: f64| value > 0.0 && value.is_finite();
         let [wide, narrow] = self.widths;
         let rises = |values: &[f64]| values.windows(2).all(|pair| pair[0] < pair[1]);
@@ -138,8 +142,13 @@ impl MapPlan {
             ("y", self.y, positive(self.y) && self.y <= 0.05, "above 0 m, at most 0.05 m"),
             ("yaw", self.yaw, self.yaw >= 0.0 && self.yaw <= 0.05, "0 to 0.05 rad"),
             ("tolerance", self.tolerance, positive(self.tolerance), "positive and finite"),
-            ("width", wide, positive(wide) && wide <= 2e-3, "above 0 m, at most 0.002 m"),
-            ("width", narrow, narrow >= 5e-6 && narrow <= wide, "5e-6 m to the widest"),
+            ("widest", wide, positive(wide) && wide <= 2e-3, "above 0 m, at most 0.002 m"),
+            (
+                "narrowest",
+                narrow,
+                narrow >= 5e-6 && narrow <= wide,
+                "5e-6 m to the width of the widest cells",
+            ),
             (
                 "spacing",
                 self.spacing,
@@ -157,11 +166,15 @@ impl MapPlan {
         if let Some((quantity, value, _, valid)) = checks.into_iter().find(|check| !check.2) {
             return Err(MapBuildError::Plan { quantity, value, valid });
         }
-        let good = self.loads.len() >= 2 && self.loads[0] > 0.0 && rises(&self.loads);
-        if !good || !self.loads.iter().all(|load| load.is_finite()) {
-            let value = self.loads.first().copied().unwrap_or(f64::NAN);
-            let valid = "two or more, positive and rising";
-            return Err(MapBuildError::Plan { quantity: "loads", value, valid });
+        let wrong = |value, valid| MapBuildError::Plan { quantity: "loads", value, valid };
+        if self.loads.len() < 2 {
+            return Err(wrong(self.loads.len() as f64, "two or more in number"));
+        }
+        if let Some(load) = self.loads.iter().find(|load| !positive(**load)) {
+            return Err(wrong(*load, "positive and finite"));
+        }
+        if let Some(pair) = self.loads.windows(2).find(|pair| pair[0] >= pair[1]) {
+            return Err(wrong(pair[1], "rising, each above the one before"));
         }
         Ok(())
     }
@@ -202,6 +215,25 @@ pub enum MapBuildError {
     /// One wheel alone.
     #[error("[wheelset] side: a contact map has both wheels, leave it out")]
     OneWheel,
+    /// The table of ellipses is one of another theory.
+    #[error("the table of ellipses is of {theory}; a contact map needs one of exact")]
+    EllipsesOf {
+        /// That theory.
+        theory: String,
+    },
+    /// The table of ellipses is too narrow.
+    #[error(
+        "the table of ellipses has {quantity} from {} to {}; this contact map needs {} to {}",
+        given[0], given[1], needed[0], needed[1]
+    )]
+    EllipsesRange {
+        /// `a_over_b` or `poisson`.
+        quantity: &'static str,
+        /// From where to where it has them.
+        given: [f64; 2],
+        /// From where to where they are needed.
+        needed: [f64; 2],
+    },
     /// Nothing was pressed at a place.
     #[error("at y = {y} m no height was found at which the wheel carries {load} N")]
     NotPressed {
@@ -327,6 +359,7 @@ pub fn build_map(
         roll: MapPlan::ROLL,
         own: own(case, friction)?,
     };
+    check_ellipses(&table, pair.poisson())?;
     // Fits belong to their table.
     let of = (table.provenance(), table.a_over_b(), table.intervals(), table.accuracy());
     let journal = Journal::open(journal, &format!("{source}\n{plan:?} {head:?} {of:?}"))?;
@@ -336,6 +369,27 @@ pub fn build_map(
     let is_mirrored = builder.is_mirrored();
     let left = if is_mirrored { None } else { Some(builder.wheel(Side::Left)?) };
     builder.finish([left, Some(right)], source)
+}
+
+/// Whether a map can be fitted by this table: it is of `exact` where it names its theory, and has the ratios of axes that
+/// contacts of wheels come near, for this Poisson's ratio.
+fn check_ellipses(table: &Table, poisson: f64) -> Result<(), MapBuildError> {
+    const RATIOS: [f64; 2] = [0.2, 20.0];
+    let theory = &table.provenance().theory;
+    if !matches!(theory.as_str(), "" | "exact") {
+        return Err(MapBuildError::EllipsesOf { theory: theory.clone() });
+    }
+    for (quantity, axis, needed) in
+        [("a_over_b", table.a_over_b(), RATIOS), ("poisson", table.poisson(), [poisson; 2])]
+    {
+        let given = [axis.low, axis.high];
+        // As wide as is needed, but for rounding.
+        let is_wide = given[0] <= needed[0] + 1e-9 && given[1] >= needed[1] - 1e-9;
+        if !is_wide {
+            return Err(MapBuildError::EllipsesRange { quantity, given, needed });
+        }
+    }
+    Ok(())
 }
 
 impl Builder<'_> {

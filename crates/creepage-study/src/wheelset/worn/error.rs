@@ -39,6 +39,14 @@ pub enum WearError {
         /// Those that there are.
         known: Vec<&'static str>,
     },
+    /// A column twice.
+    #[error("[wear] table: {}: column {column} is there twice", path.display())]
+    Twice {
+        /// Its file.
+        path: PathBuf,
+        /// The column.
+        column: &'static str,
+    },
     /// A cell that is no number.
     #[error("[wear] table: {}: row {row}, {column}: {text:?} is no number", path.display())]
     Cell {

@@ -1,5 +1,6 @@
 //! `[wear]`: what a wheelset runs through, how far, and what wears.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use creepage::damage::DamageConstants;
@@ -10,6 +11,7 @@ use super::error::WearError;
 use super::limits::{LimitSection, WearLimit};
 use crate::case::schema::schema_of;
 use crate::case::{CaseError, keys};
+use crate::separator::Separator;
 use crate::wheelset::WheelsetCase;
 use crate::wheelset::error::checked;
 use creepage_wheelset::ASKED;
@@ -437,20 +439,22 @@ fn share_out(situations: &mut [WearSituation]) -> Result<(), WearError> {
     Ok(())
 }
 
-/// Situations, a row each; an empty cell is the wheelset's own.
+/// Situations, a row each; an empty cell is the wheelset's own. Columns may be separated by semicolons or tabs.
 fn read_table(path: &Path) -> Result<Vec<WearSituation>, WearError> {
     let failed = |source| WearError::Table { path: path.into(), source };
-    let mut reader = csv::ReaderBuilder::new()
-        .trim(csv::Trim::All)
-        .comment(Some(b'#'))
-        .from_path(path)
-        .map_err(failed)?;
+    let text = fs::read_to_string(path).map_err(|source| failed(source.into()))?;
+    let text = text.trim_start_matches('\u{feff}');
+    let separator = Separator::of(text);
+    let mut reader = separator.reader().from_reader(text.as_bytes());
     let mut columns = Vec::new();
     for name in reader.headers().map_err(failed)? {
         let Some(column) = COLUMNS.iter().find(|column| **column == name) else {
             let (column, known) = (name.to_owned(), COLUMNS.to_vec());
             return Err(WearError::Column { path: path.into(), column, known });
         };
+        if columns.contains(column) {
+            return Err(WearError::Twice { path: path.into(), column });
+        }
         columns.push(*column);
     }
     if !columns.contains(&"share") {
@@ -468,7 +472,7 @@ fn read_table(path: &Path) -> Result<Vec<WearSituation>, WearError> {
             if text.is_empty() {
                 continue;
             }
-            let value = text.parse().ok().filter(|value: &f64| value.is_finite());
+            let value = separator.number(text).filter(|value| value.is_finite());
             let wrong =
                 || WearError::Cell { path: path.into(), row: k + 1, column, text: text.to_owned() };
             let value = value.ok_or_else(wrong)?;
