@@ -299,7 +299,7 @@ mod tests {
         let before = LoadLine { root: 1500.0, by: [2e7, 1.5e7] };
         let moved = [1e-6, -2e-6];
         let expected = before.after(moved);
-        let mut found = LoadLine { root: expected.root + 3.0, by: [2.1e7, 1.6e7], ..before };
+        let mut found = LoadLine { root: expected.root + 3.0, by: [2.1e7, 1.6e7] };
         found.update_slopes(&expected, moved);
         let secant = found.by[0] * moved[0] + found.by[1] * moved[1];
         assert!((secant - (found.root - before.root)).abs() < 1e-9);
