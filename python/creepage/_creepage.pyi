@@ -576,7 +576,7 @@ class WheelsetData:
     ) -> tuple[dict[str, Any], list[str]]: ...
     def table(self, axes: Sequence[tuple[str, list[float]]]) -> dict[str, Floats]: ...
     def radius_difference(self, rolls: bool) -> list[tuple[float, float]]: ...
-    def conicity(self, amplitudes: Sequence[float], rolls: bool) -> list[float]: ...
+    def conicity(self, amplitudes: Sequence[float], rolls: bool) -> tuple[list[float], list[str]]: ...
 
 @final
 class WearData:
@@ -605,6 +605,14 @@ class WearData:
 class ContactMapData:
     """A contact map."""
 
+    @staticmethod
+    def check(
+        wheelset: WheelsetData,
+        plan: Sequence[float],
+        loads: Sequence[float],
+        states: int,
+        resolution: str,
+    ) -> None: ...
     @staticmethod
     def build(
         wheelset: WheelsetData,

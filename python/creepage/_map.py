@@ -194,6 +194,9 @@ class ContactMap:
         from .15 to 30, or its file; built first where it is left out. journal: a file that keeps
         what is finished, from which an interrupted build goes on.
         """
+        plan = [float(number) for number in (y, yaw, tolerance, narrowest)]
+        nodes = floats("loads", loads).ravel().tolist()
+        _creepage.ContactMapData.check(wheelset._data, plan, nodes, states, resolution)
         table = ellipses
         if table is None:
             table = _creepage.Table.build(
@@ -205,12 +208,11 @@ class ContactMap:
             )
         elif not isinstance(table, _creepage.Table):
             table = _creepage.Table.read(os.fspath(table))
-        plan = [float(number) for number in (y, yaw, tolerance, narrowest)]
         data = _creepage.ContactMapData.build(
             wheelset._data,
             table,
             plan,
-            floats("loads", loads).ravel().tolist(),
+            nodes,
             states,
             resolution,
             None if journal is None else Path(journal),

@@ -379,7 +379,9 @@ class Wheelset(FromFile):
 
     def conicity(self, amplitude: ArrayLike, *, roll: bool = False) -> Floats:
         """Equivalent conicity of EN 15302 at amplitudes (m), half of y_max - y_min; NaN where
-        there is none."""
+        there is none. Warns where wheels stand on their flanges, and of rough profiles."""
         amplitudes = floats("amplitude", amplitude)
-        found = self._data.conicity(amplitudes.ravel().tolist(), roll)
+        found, cautions = self._data.conicity(amplitudes.ravel().tolist(), roll)
+        for words in cautions:
+            warnings.warn(words, UserWarning, stacklevel=2)
         return np.array(found).reshape(amplitudes.shape)

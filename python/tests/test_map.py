@@ -63,3 +63,11 @@ def test_derivatives_follow(contact_map: creepage.ContactMap) -> None:
         contact_map.solve(y=0.0003 + step, axle_load=90e3).right.force[1] for step in (h, -h)
     )
     assert found.derivatives[1, 1, 0] == pytest.approx((ahead - behind) / (2 * h), rel=2e-2)
+
+
+def test_what_is_in_no_map_is_refused_before_a_table_is_built(mapped: creepage.Wheelset) -> None:
+    raised = creepage.Wheelset(wheel="S1002", rail="UIC60", cant=0.025, z=0.0)
+    with pytest.raises(ValueError, match="needs axle_load or wheel_load for a contact map"):
+        creepage.ContactMap.build(raised)
+    with pytest.raises(ValueError, match="loads must be rising"):
+        creepage.ContactMap.build(mapped, loads=[5.0, 4.0])

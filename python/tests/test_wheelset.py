@@ -53,6 +53,12 @@ def test_a_file_is_the_same_case() -> None:
     assert 0.005 < found[0] < 0.5
 
 
+def test_the_conicity_of_wheels_on_their_flanges_warns() -> None:
+    with pytest.warns(UserWarning, match="wheel: the flange rides on the rail"):
+        found = s1002(axle_load=200e3, back_to_back=1.45).conicity(3e-3)
+    assert np.isfinite(found)
+
+
 def test_a_table_is_the_forces_at_its_places() -> None:
     wheelset = s1002(axle_load=200e3)
     table = wheelset.table(y=[0.0, 1e-3], yaw=[0.0])

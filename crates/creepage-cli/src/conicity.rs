@@ -1,6 +1,5 @@
 //! `creepage conicity`: equivalent conicity of a wheelset on its track.
 
-use creepage_rail::Side;
 use creepage_study::{Sources, conicity, radius_difference_csv, write_all};
 
 use crate::failure::Failure;
@@ -15,9 +14,8 @@ pub(crate) fn run(args: &ConicityArgs) -> Result<Outcome, Failure> {
     let case = read(&args.case)?;
     let difference = case.radius_difference(args.roll).map_err(wrong)?;
     case.notes.iter().for_each(say_found);
-    for (side, caution) in case.conicity_cautions(&difference, args.roll) {
-        let side = if side == Side::Left { "left" } else { "right" };
-        say(&format!("caution: {side} wheel: {caution}"));
+    for words in case.conicity_caution_words(&difference, args.roll) {
+        say(&format!("caution: {words}"));
     }
     let radii = radius_difference_csv(&difference);
     if args.radius_difference && args.out.is_none() {

@@ -146,6 +146,8 @@ pub(crate) enum Failure {
     Table { path: PathBuf, source: FileError },
     #[error("{} is a contact map, not a table of creep force", path.display())]
     IsMap { path: PathBuf },
+    #[error("{} is a table of creep force, not a contact map", path.display())]
+    IsTable { path: PathBuf },
     #[error("{theory}: {source}")]
     Build { theory: &'static str, source: BuildError<TheoryError> },
     #[error("{option} is needed: the table has values from {low} to {high}")]

@@ -4,6 +4,7 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use creepage::table::Table;
 use creepage_fmu::{Version, library_name, pack};
 use creepage_study::{Sources, WholeFile};
 
@@ -44,10 +45,14 @@ pub(crate) fn run(args: &FmuArgs) -> Result<Outcome, Failure> {
     if is_wheelset(&args.map) {
         return Err(Failure::NoMap { path: args.map.clone() });
     }
-    let library = args.library.clone().map_or_else(found, Ok)?;
     let read =
         |path: &Path| fs::read(path).map_err(|source| Failure::Read { path: path.into(), source });
-    let (map, binary) = (read(&args.map)?, read(&library)?);
+    let map = read(&args.map)?;
+    if Table::from_bytes(map.clone()).is_ok() {
+        return Err(Failure::IsTable { path: args.map.clone() });
+    }
+    let library = args.library.clone().map_or_else(found, Ok)?;
+    let binary = read(&library)?;
     let version = match args.fmi {
         Interface::Two => Version::Two,
         Interface::Three => Version::Three,

@@ -78,10 +78,10 @@ pub(crate) fn theories(names: &[String], case: &AnyCase) -> Result<Vec<TheorySpe
 
 /// The table of creep force of a file.
 pub(crate) fn read_table(path: &Path) -> Result<Table, Failure> {
-    let read = || fs::read(path).map_err(|source| Failure::Read { path: path.into(), source });
-    match Table::from_bytes(read()?) {
+    let bytes = fs::read(path).map_err(|source| Failure::Read { path: path.into(), source })?;
+    match Table::from_bytes(bytes.clone()) {
         // Contact maps have a format's number too.
-        Err(FileError::Format { .. }) if ContactMap::from_bytes(read()?).is_ok() => {
+        Err(FileError::Format { .. }) if ContactMap::from_bytes(bytes).is_ok() => {
             Err(Failure::IsMap { path: path.into() })
         }
         table => table.map_err(|source| Failure::Table { path: path.into(), source }),

@@ -9,7 +9,7 @@ use std::time::Duration;
 use creepage::table::{Axis, Intervals, Provenance, Spec, Table, build};
 use creepage_map::{ContactMap, Spread};
 use creepage_study::{
-    MapPlan, MapResolution, MapStage, Sources, WheelsetFileError, WholeFile, build_map, theory_spec,
+    MapPlan, MapResolution, MapStage, Sources, WholeFile, build_map, theory_spec,
 };
 
 use crate::failure::Failure;
@@ -66,12 +66,10 @@ enum Elements {
 pub(crate) fn run(args: &MapArgs) -> Result<Outcome, Failure> {
     let case = read(&args.wheelset)?;
     let source = read_text(&args.wheelset)?;
-    let wrong = |source: WheelsetFileError| Failure::Wheelset {
-        path: args.wheelset.clone(),
-        source: Box::new(source),
-    };
-    let plan = plan(args, &MapPlan::of(&case).map_err(wrong)?);
+    let of_map = |source| Failure::Map { path: args.wheelset.clone(), source: Box::new(source) };
+    let plan = plan(args, &MapPlan::of(&case).map_err(of_map)?);
     plan.check().map_err(|source| Failure::MapPlan { source: Box::new(source) })?;
+    plan.check_case(&case).map_err(of_map)?;
     let failed = |source| Failure::Write { path: args.out.clone(), source };
     Sources::new([&args.wheelset]).ensure_not_overwritten(&args.out)?;
     case.sources().ensure_not_overwritten(&args.out)?;
@@ -102,7 +100,6 @@ pub(crate) fn run(args: &MapArgs) -> Result<Outcome, Failure> {
     };
     let map = build_map(&case, &plan, table, source, Some(&journal), &progress);
     bar.finish_and_clear();
-    let of_map = |source| Failure::Map { path: args.wheelset.clone(), source: Box::new(source) };
     let map = map.map_err(of_map)?;
     let bytes = map.to_bytes().map_err(|source| of_map(source.into()))?;
     file.write_all(&bytes).and_then(|()| file.finish()).map_err(failed)?;

@@ -1,8 +1,8 @@
 //! The two ellipses whose creep forces are those of a contact: nine numbers by least squares
 //! (Levenberg and Marquardt), then six of the moment, which are linear.
 
-use creepage::Creepage;
 use creepage::table::Table;
+use creepage::{Creepage, InvalidValue};
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use crate::error::MapError;
@@ -94,11 +94,14 @@ pub fn fit(
     let is_good = samples.len() >= 9
         && finite.copied().all(f64::is_finite)
         && high > low
-        && axis.high > MARGIN.powi(2) * axis.low
         && contour.length > 0.0
         && contour.scale.iter().all(|scale| *scale > 0.0 && scale.is_finite());
     if !is_good {
         return Err(MapError::Senseless("samples"));
+    }
+    if axis.high <= MARGIN.powi(2) * axis.low {
+        let valid = "a range in the table of ellipses, not one value";
+        return Err(InvalidValue { quantity: "a_over_b", value: axis.high, valid }.into());
     }
     let length = (contour.length * (high - low)).sqrt();
     let ratios = [(axis.low * MARGIN).ln(), (axis.high / MARGIN).ln()];

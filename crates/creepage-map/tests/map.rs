@@ -5,12 +5,13 @@
 mod common;
 
 use creepage::Creepage;
+use creepage::table::Axis;
 use creepage_map::{
     CellError, ContactMap, Contour, HeightOrLoad, MapError, Quantity, RollingNode, Sample, Side,
     State, WheelMap, fit, slopes,
 };
 
-use common::{LOADS, RADIUS, map, node, state, table};
+use common::{LOADS, RADIUS, map, node, state, table, table_over};
 
 fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
@@ -75,6 +76,10 @@ fn samples_of_no_sense_are_refused() {
     let wrong = Sample::new([f64::NAN; 3], [0.0; 3]);
     assert!(fit(&table(), 0.28, &[wrong; 12], &contour).is_err());
     assert!(fit(&table(), 0.28, &[], &contour).is_err());
+    // Nor is a table of one ratio of axes, which is named.
+    let samples = [Sample::new([1e-3, 0.0, 0.0], [0.1, 0.0, 0.0]); 12];
+    let refused = fit(&table_over(Axis::fixed(1.0)), 0.28, &samples, &contour).unwrap_err();
+    assert!(refused.to_string().starts_with("a_over_b = 1 "), "{refused}");
 }
 
 /// The tangential force over `mu N` depends on creepage over `mu` alone, to rounding.

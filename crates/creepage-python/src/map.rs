@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use creepage_map::{ContactMap, PLACES, Side, Spread, WheelAnswer};
-use creepage_study::{MapBuildError, MapPlan, MapResolution, WholeFile, build_map};
+use creepage_study::{MapBuildError, MapPlan, MapResolution, WheelsetCase, WholeFile, build_map};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -38,8 +38,62 @@ type Solved<'py> =
 /// 25 numbers of each row; rows without an answer, and why.
 type SolvedRows<'py> = (Bound<'py, PyArray1<f64>>, Vec<(usize, String)>);
 
+fn refused(py: Python, error: MapBuildError) -> PyErr {
+    match error {
+        MapBuildError::Wheelset(error) => errors::wheelset(py, error),
+        other => PyValueError::new_err(other.to_string()),
+    }
+}
+
+/// The plan of these numbers for this wheelset, which has a map by it.
+fn checked_plan(
+    py: Python,
+    case: &WheelsetCase,
+    [y, yaw, tolerance, narrowest]: [f64; 4],
+    loads: Vec<f64>,
+    states: usize,
+    resolution: &str,
+) -> PyResult<MapPlan> {
+    let usual = MapPlan::of(case).map_err(|error| refused(py, error))?;
+    let or = |value: f64, own: f64| if value.is_nan() { own } else { value };
+    let resolution = match resolution {
+        "fast" => MapResolution::Fast,
+        "standard" => MapResolution::Standard,
+        "fine" => MapResolution::Fine,
+        other => {
+            let words = format!("resolution must be fast, standard or fine, got {other:?}");
+            return Err(PyValueError::new_err(words));
+        }
+    };
+    let plan = MapPlan {
+        y: or(y, usual.y),
+        yaw: or(yaw, usual.yaw),
+        tolerance: or(tolerance, usual.tolerance),
+        widths: [usual.widths[0], or(narrowest, usual.widths[1])],
+        loads: if loads.is_empty() { usual.loads.clone() } else { loads },
+        states,
+        resolution,
+        ..usual
+    };
+    plan.check().and_then(|()| plan.check_case(case)).map_err(|error| refused(py, error))?;
+    Ok(plan)
+}
+
 #[pymethods]
 impl ContactMapData {
+    /// Refuses what is in no map, before a table of ellipses is built.
+    #[staticmethod]
+    fn check(
+        py: Python,
+        wheelset: PyRef<WheelsetData>,
+        plan: [f64; 4],
+        loads: Vec<f64>,
+        states: usize,
+        resolution: &str,
+    ) -> PyResult<()> {
+        checked_plan(py, &wheelset.case, plan, loads, states, resolution).map(|_| ())
+    }
+
     /// Builds the map of a wheelset, on all cores; NaN and nothing are the usual plan's.
     #[staticmethod]
     #[allow(clippy::too_many_arguments)] // those of Python
@@ -55,37 +109,13 @@ impl ContactMapData {
     ) -> PyResult<Self> {
         let (case, text) = (wheelset.case.clone(), wheelset.text.clone());
         let table = Arc::clone(&ellipses.table);
-        let usual = MapPlan::of(&case).map_err(|error| errors::wheelset(py, error))?;
-        let or = |value: f64, own: f64| if value.is_nan() { own } else { value };
-        let [y, yaw, tolerance, narrowest] = plan;
-        let resolution = match resolution {
-            "fast" => MapResolution::Fast,
-            "standard" => MapResolution::Standard,
-            "fine" => MapResolution::Fine,
-            other => {
-                let words = format!("resolution must be fast, standard or fine, got {other:?}");
-                return Err(PyValueError::new_err(words));
-            }
-        };
-        let plan = MapPlan {
-            y: or(y, usual.y),
-            yaw: or(yaw, usual.yaw),
-            tolerance: or(tolerance, usual.tolerance),
-            widths: [usual.widths[0], or(narrowest, usual.widths[1])],
-            loads: if loads.is_empty() { usual.loads.clone() } else { loads },
-            states,
-            resolution,
-            ..usual
-        };
+        let plan = checked_plan(py, &case, plan, loads, states, resolution)?;
         let work = move |stop: &AtomicBool| {
             let goes_on = |_| !stop.load(Ordering::Relaxed);
             build_map(&case, &plan, table, text, journal.as_deref(), &goes_on)
         };
         let built = signals::stoppable(py, work)?;
-        let map = built.map_err(|error| match error {
-            MapBuildError::Wheelset(error) => errors::wheelset(py, error),
-            other => PyValueError::new_err(other.to_string()),
-        })?;
+        let map = built.map_err(|error| refused(py, error))?;
         Ok(Self { map: Arc::new(map) })
     }
 

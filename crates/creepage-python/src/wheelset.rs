@@ -244,8 +244,14 @@ impl WheelsetData {
     }
 
     /// The equivalent conicity at amplitudes (m); NaN where contact ends before or the
-    /// wheelset does not swing. An amplitude that is not finite and positive is refused.
-    fn conicity(&self, py: Python, amplitudes: Vec<f64>, rolls: bool) -> PyResult<Vec<f64>> {
+    /// wheelset does not swing; and what is odd about it, in words. An amplitude that is not finite and positive is
+    /// refused.
+    fn conicity(
+        &self,
+        py: Python,
+        amplitudes: Vec<f64>,
+        rolls: bool,
+    ) -> PyResult<(Vec<f64>, Vec<String>)> {
         let wrong = |amplitude: &&f64| !(**amplitude > 0.0 && amplitude.is_finite());
         if let Some(&value) = amplitudes.iter().find(wrong) {
             let (quantity, valid) = ("amplitude", "positive and finite");
@@ -254,7 +260,8 @@ impl WheelsetData {
         let found = detached(py, || self.case.radius_difference(rolls))?;
         let difference = found.map_err(|error| errors::wheelset(py, error))?;
         let at = |amplitude: &f64| difference.conicity(*amplitude).unwrap_or(f64::NAN);
-        Ok(amplitudes.iter().map(at).collect())
+        let words = self.case.conicity_caution_words(&difference, rolls);
+        Ok((amplitudes.iter().map(at).collect(), words))
     }
 }
 

@@ -7,11 +7,20 @@ use csv::{ReaderBuilder, Trim};
 pub(crate) struct Separator(u8);
 
 impl Separator {
-    /// That of a table: of the three the one that its header has first.
+    /// That of a table: of a semicolon, a tab and a comma the first that its header has as often as its first row, for
+    /// names may have commas and notes semicolons; where none is, the one that the header has first.
     pub(crate) fn of(text: &str) -> Self {
-        let is_header = |line: &&str| !line.is_empty() && !line.starts_with('#');
-        let header = text.lines().find(is_header).unwrap_or_default();
-        Self(header.bytes().find(|byte| b",;\t".contains(byte)).unwrap_or(b','))
+        let is_row = |line: &&str| !line.is_empty() && !line.starts_with('#');
+        let mut rows = text.lines().filter(is_row).map(str::as_bytes);
+        let [header, first] = [(); 2].map(|()| rows.next().unwrap_or_default());
+        let parts = |line: &[u8], one: u8| line.split(|byte| *byte == one).count();
+        let is_alike = |one: &u8| match parts(header, *one) {
+            1 => false,
+            many => many == parts(first, *one),
+        };
+        let alike = b";\t,".iter().copied().find(is_alike);
+        let found = alike.or_else(|| header.iter().copied().find(|byte| b",;\t".contains(byte)));
+        Self(found.unwrap_or(b','))
     }
 
     /// A reader of such a table; lines that begin with `#` are passed over.
@@ -34,12 +43,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_first_separator_of_the_header_is_the_tables() {
+    fn header_and_first_row_have_the_separator_alike() {
         for (text, separator) in [
             ("x,y\n1;2\n", b','),
             ("# a; b\n\nx;y, in mm\n", b';'),
             ("x\ty\n", b'\t'),
             ("x,y; in mm\n", b','),
+            ("xi, -;force, N\n0,001;5,3\n", b';'),
+            ("x,y,z,note; more\n1,2,3,a\n", b','),
+            ("x,y\tin mm\n1,2\n", b','),
             ("x\n1;2\n", b','),
             ("", b','),
         ] {

@@ -69,6 +69,9 @@ fn a_small_map_is_built_and_says_its_error() {
         .run(&["map", "wheelset.toml", "--out", "other.nc", "--ellipses", "map.nc"])
         .refused(&["map.nc is a contact map, not a table of creep force"]);
     place.run(&["table", "info", "map.nc"]).refused(&["map.nc is a contact map"]);
+    place
+        .run(&["fmu", "ellipses.nc", "--out", "wheelset.fmu"])
+        .refused(&["ellipses.nc is a table of creep force, not a contact map"]);
     assert_eq!(place.files(), ["ellipses.nc", "map.nc", "wheelset.toml"]);
 }
 
@@ -111,6 +114,19 @@ fn wrong_plans_are_refused_and_nothing_is_written() {
     place.run(&["map", "none.toml", "--out", "map.nc"]).refused(&["cannot read none.toml"]);
     place.run(&["map", "wheelset.toml", "--out", "wheelset.toml"]).refused(&["written over"]);
     place.write("height.toml", WHEELSET.replace("axle_load = 100e3", "z = 0.0"));
-    place.run(&["map", "height.toml", "--out", "map.nc"]).refused(&["needs one of axle_load"]);
+    place
+        .run(&["map", "height.toml", "--out", "map.nc"])
+        .refused(&["needs axle_load or wheel_load"]);
+    // Before a table of ellipses is begun.
+    for (from, to, words) in [
+        ("axle_load = 100e3", "axle_load = 0.0", "axle_load = 0 is not valid"),
+        ("axle_load = 100e3", "axle_load = 1e5\nroll_moment = 1e3", "roll_moment"),
+        ("speed = 20.0", "speed = -20.0", "[motion] speed below zero"),
+    ] {
+        place.write("other.toml", WHEELSET.replace(from, to));
+        let ran = place.run(&["map", "other.toml", "--out", "map.nc"]);
+        ran.refused(&["other.toml", words]);
+        assert!(!ran.stderr.contains("ellipses"), "{}", ran.stderr);
+    }
     assert!(!place.path("map.nc").exists() && !place.path("map.nc.journal").exists());
 }

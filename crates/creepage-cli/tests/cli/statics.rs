@@ -247,6 +247,10 @@ fn a_path_may_change_its_load() {
     let path = SLIP
         .replace("\"partial-slip\"", "\"shift-path\"")
         .replace("force_x = 21e3", &format!("along = \"x\"\nsteps = {steps}"));
+    place.write("none.toml", path.replace(steps, "[]"));
+    place
+        .run(&["statics", "none.toml"])
+        .refused(&["[statics] number of steps = 0 is not valid: it must be 1 or more"]);
     place.write("case.toml", &path);
     let report = report(&place, "case.toml");
     let steps = report["steps"].as_array().unwrap();

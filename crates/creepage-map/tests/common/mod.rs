@@ -15,8 +15,13 @@ pub const LOADS: [f64; 3] = [10e3, 40e3, 120e3];
 
 /// Of a closed theory, which is quick to build; what is tested holds for any table.
 pub fn table() -> Arc<Table> {
+    table_over(Axis { low: 0.2, high: 6.0, nodes: 7 })
+}
+
+/// The same over other ratios of axes.
+pub fn table_over(a_over_b: Axis) -> Arc<Table> {
     let spec = Spec {
-        a_over_b: Axis { low: 0.2, high: 6.0, nodes: 7 },
+        a_over_b,
         poisson: Axis::fixed(0.28),
         intervals: Intervals { theta: 10, phi: 12, t: 24 },
         places: 50,

@@ -163,4 +163,14 @@ impl WheelsetCase {
         all.extend(rough.into_iter().map(|(side, rough)| (side, rough.into())));
         all
     }
+
+    /// The same in words.
+    #[must_use]
+    pub fn conicity_caution_words(
+        &self,
+        difference: &RadiusDifference,
+        rolls: bool,
+    ) -> Vec<String> {
+        words(&self.conicity_cautions(difference, rolls))
+    }
 }

@@ -138,7 +138,10 @@ impl Statics {
             Along::X => ShiftAxis::X,
             Along::Y => ShiftAxis::Y,
         };
-        let steps = self.steps.as_deref().filter(|steps| !steps.is_empty());
+        let steps = self.steps.as_deref().ok_or_else(|| missing("steps"))?;
+        if steps.is_empty() {
+            return Err(invalid("number of steps", 0.0, "1 or more"));
+        }
         let end = |step: &ShiftStep| match (step.force, step.shift) {
             (Some(force), None) => finite("force", force).map(ShiftEnd::Force),
             (None, Some(shift)) => finite("shift", shift).map(ShiftEnd::Shift),
@@ -152,8 +155,7 @@ impl Statics {
             }
         };
         let one = |step| end(step).map(|end| (step.normal_force, end));
-        let steps = steps.ok_or_else(|| missing("steps"))?.iter().map(one);
-        Ok((axis, steps.collect::<Result<_, _>>()?))
+        Ok((axis, steps.iter().map(one).collect::<Result<_, _>>()?))
     }
 
     pub(crate) fn moment(&self) -> Result<f64, CaseError> {
