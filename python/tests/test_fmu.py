@@ -1,4 +1,4 @@
-"""A contact map as an FMU, validated and simulated by FMPy, and by an importer in Rust: both versions, both kinds."""
+"""A contact map, and a wheelset's file for the solver itself, as an FMU, validated and simulated by FMPy, and by an importer in Rust: both versions, both kinds."""
 
 from __future__ import annotations
 
@@ -246,3 +246,110 @@ def test_a_hundred_loads_and_unloads_leave_neither_threads_nor_memory(
     # A map that were kept would be as large as its file at least, a hundred times; this is a tenth of that.
     grown = memory() - before[1]
     assert grown < 10 * (fmus[1].parent / "wheelset.nc").stat().st_size, grown
+
+
+@pytest.fixture(scope="module")
+def solvers(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[Path]]:
+    """A wheelset's file with a profile from a folder of its own, and FMUs of FMI 2 and 3 that solve it."""
+    folder, library = tmp_path_factory.mktemp("solved"), _library()
+    (folder / "scans").mkdir()
+    scan = ROOT / "crates" / "creepage-rail" / "samples" / "worn_rail.ban"
+    (folder / "scans" / "rail 1.ban").write_bytes(scan.read_bytes())
+    path = folder / "wheelset.toml"
+    path.write_text(
+        """
+[wheel]
+profile = "S1002"
+radius = 0.46
+[rail]
+profile = "scans/rail 1.ban"
+cant = 0.025
+[track]
+gauge = 1.435
+gauge_height = 0.014
+[wheelset]
+back_to_back = 1.360
+axle_load = 100e3
+[motion]
+speed = 20.0
+[contact]
+friction = 0.3
+[materials]
+shear_modulus = 82e9
+poisson = 0.28
+[solve]
+theory = "exact"
+resolution = "fast"
+"""
+    )
+    made = []
+    for version in ("2", "3"):
+        out = folder / f"W{version}.fmu"
+        command = [sys.executable, "-m", "creepage", "fmu", str(path), "--exact", "--fmi", version]
+        subprocess.run([*command, "--out", str(out), "--library", str(library)], check=True)
+        made.append(out)
+    return path, made
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+@pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
+def test_forces_are_those_of_the_solver(solvers: tuple[Path, list[Path]], kind: str) -> None:
+    path, made = solvers
+    solver = creepage.Wheelset.from_toml(path).solver()
+    given = {"y": 0.0005, "yaw": -0.002, "lateral_velocity": 0.01, "axle_load": 110e3}
+    exact = solver.solve(**given)
+    text = path.read_text().replace("friction = 0.3", "friction = 0.2")
+    friction = creepage.Wheelset.from_toml(text, path.parent).solver().solve(**given)
+    for fmu in made:
+        assert validation.validate_fmu(str(fmu)) == []
+        for more, right in (({}, exact), ({"friction": 0.2}, friction)):
+            result = fmpy.simulate_fmu(
+                str(fmu),
+                fmi_type=kind,
+                stop_time=0.002,
+                output_interval=0.001,
+                step_size=0.001,
+                start_values={**given, **more},
+                output=["wrench_y", "wrench_moment_z", "left_x", "right_z", "found_roll", "left_error"],
+            )
+            for row in result:
+                # The same solution from nothing: only the sums may differ by rounding.
+                assert row["left_x"] == pytest.approx(right.left.force[0], rel=1e-9)
+                assert row["right_z"] == pytest.approx(right.right.force[2], rel=1e-9)
+                assert row["wrench_y"] == pytest.approx(right.wrench[1], rel=1e-9, abs=1e-6)
+                assert row["wrench_moment_z"] == pytest.approx(right.wrench[5], rel=1e-9, abs=1e-6)
+                assert row["found_roll"] == pytest.approx(right.roll, rel=1e-9)
+                assert 0.0 < row["left_error"] < 0.02
+
+
+def test_a_solver_has_its_derivatives_and_leaves_no_thread(
+    solvers: tuple[Path, list[Path]], tmp_path: Path
+) -> None:
+    fmu = solvers[1][1]
+    unpacked = str(fmpy.extract(str(fmu), str(tmp_path / "W")))
+    description = fmpy.read_model_description(unpacked)
+    at = {variable.name: variable.valueReference for variable in description.modelVariables}
+    tasks = Path("/proc/self/task")
+
+    def threads() -> int:
+        return len(list(tasks.iterdir())) if tasks.exists() else 0
+
+    before = 0
+    for turn in range(3):
+        unit = fmpy.instantiate_fmu(unpacked, description, fmi_type="ModelExchange")
+        unit.enterInitializationMode()
+        unit.exitInitializationMode()
+        slope = unit.getDirectionalDerivative([at["wrench_y"]], [at["lateral_velocity"]], [1.0])[0]
+        # Twice Kalker's C22 c^2 G over the speed of 20 m/s; areas of 50 kN have 8e6 to 1e7 N a wheel.
+        assert 7e5 < -slope < 1.1e6
+        # A place where no wheel stands: nothing is answered, and the instance goes on.
+        unit.setFloat64([at["y"]], [0.2])
+        with pytest.raises(Exception):
+            unit.getFloat64([at["wrench_y"]])
+        unit.setFloat64([at["y"]], [0.0])
+        assert np.isfinite(unit.getFloat64([at["wrench_y"]])[0])
+        unit.terminate()
+        unit.freeInstance()
+        # The host's own may come with the first call.
+        before = threads() if turn == 0 else before
+    assert threads() == before

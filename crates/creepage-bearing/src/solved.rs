@@ -26,7 +26,8 @@ pub struct SolvedBearing {
     pub alike: usize,
     /// Heat of all contacts (W).
     pub heat: f64,
-    /// Moment of friction on the inner ring about the axis (N m), by the tractions on it, against its turning.
+    /// Moment of friction on the inner ring about the axis (N m), by the tractions on it, against its turning; under
+    /// the control of a race, where balls are out of balance, that of the heat.
     pub moment: f64,
 }
 
@@ -208,14 +209,20 @@ impl BallBearing {
         let moment: f64 = balls.iter().map(|ball| self.moment_on_inner_ring(ball)).sum();
         let load = self.carried(&known.standing, &known.acting);
         let load = if balls.len() == 1 { [times * load[0], 0.0] } else { load };
-        let sense = (operation.speed[INNER] - operation.speed[OUTER]).signum();
+        let relative = operation.speed[INNER] - operation.speed[OUTER];
+        // A ball that a race controls is out of balance: the rings' moments differ, and the heat gives the mean.
+        let moment = match operation.control {
+            Control::Balance => -relative.signum() * moment,
+            Control::Inner | Control::Outer if relative == 0.0 => 0.0,
+            Control::Inner | Control::Outer => heat / relative.abs(),
+        };
         SolvedBearing {
             displacement: known.displacement.unwrap_or_default(),
             load,
             balls,
             alike,
             heat: times * heat,
-            moment: -sense * times * moment,
+            moment: times * moment,
         }
     }
 

@@ -155,6 +155,15 @@ fn heat_is_what_the_shaft_puts_in() {
 
 /// On the same rigid slip elastic bodies dissipate less than those that slide: with the outer race in control, at nearly the
 /// same motion. (In balance they share the spin otherwise, and may heat more than the least work of sliding.)
+/// A ball that a race controls is out of balance: its heat says what the shaft must put in.
+#[test]
+fn heat_is_what_the_shaft_puts_in_under_race_control_too() {
+    for control in [Control::Inner, Control::Outer] {
+        let bearing = solved(6e3, control, BearingTheory::Sliding);
+        near(bearing.moment * 6e3 * std::f64::consts::TAU / 60.0, bearing.heat, 1e-12);
+    }
+}
+
 #[test]
 fn elasticity_takes_a_little_of_the_heat() {
     let sliding = solved(6e3, Control::Outer, BearingTheory::Sliding).heat;

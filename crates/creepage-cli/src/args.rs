@@ -191,7 +191,7 @@ pub(crate) enum Command {
     /// interrupted goes on where it was, to the same profiles, bit for bit. The exit code is 3 when a situation
     /// did not converge.
     Wear(WearArgs),
-    /// Make a Functional Mock-up Unit (FMI 2.0 or 3.0) of a contact map, for vehicle simulation
+    /// Make a Functional Mock-up Unit (FMI 2.0 or 3.0) of a contact map or a wheelset, for vehicle simulation
     Fmu(FmuArgs),
     /// Equivalent conicity of a wheelset on its track by EN 15302, over the amplitude.
     ///

@@ -38,6 +38,9 @@ pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
             say(&format!("caution: {caution}"));
         }
     }
+    if let Some(caution) = Caution::beyond_friction(curves.largest_share()) {
+        say(&format!("caution: {caution}"));
+    }
     for (theory, largest) in curves.largest() {
         let (force, value) =
             (largest.force.magnitude(), shown(vary, largest.at, &contact.scaling()));

@@ -21,7 +21,8 @@ use crate::batch::columns::ColumnError;
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
     #[error(
-        "{0} is the file of a wheelset: make its map first, `creepage map {0} --out wheelset.nc`, and give that",
+        "{0} is the file of a wheelset: make its map first, `creepage map {0} --out wheelset.nc`, and give that, or \
+         solve it in the FMU itself by --exact",
         path.display()
     )]
     NoMap { path: PathBuf },
@@ -31,7 +32,7 @@ pub(crate) enum Failure {
     )]
     NoLibrary { name: String },
     #[error("{}: {source}", path.display())]
-    Pack { path: PathBuf, source: creepage_fmu::PackError },
+    Pack { path: PathBuf, source: Box<creepage_fmu::PackError> },
     #[error("--survey {pattern}: {why}")]
     Pattern { pattern: String, why: String },
     #[error("--unit must be positive and finite, got {value}")]
@@ -146,6 +147,8 @@ pub(crate) enum Failure {
     Table { path: PathBuf, source: FileError },
     #[error("{} is a contact map, not a table of creep force", path.display())]
     IsMap { path: PathBuf },
+    #[error("{} is a contact map; --exact takes the wheelset's file, from which the map was made", path.display())]
+    ExactMap { path: PathBuf },
     #[error("{} is a table of creep force, not a contact map", path.display())]
     IsTable { path: PathBuf },
     #[error("{theory}: {source}")]

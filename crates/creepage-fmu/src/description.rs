@@ -36,8 +36,8 @@ pub(crate) fn description(version: Version, token: &str, start: &Inputs) -> Stri
     xml
 }
 
-const ABOUT: &str = "Wheel-rail contact forces of a wheelset by its contact map (creepage). Track axes: x \
-    forward, y to the right, z down. Outside the map: Discard.";
+const ABOUT: &str = "Wheel-rail contact forces of a wheelset (creepage). Track axes: x forward, y to the right, z \
+    down. Outside the map, or where the solver has no answer: Discard.";
 
 fn two(xml: &mut String, token: &str, start: &Inputs) -> std::fmt::Result {
     let tool = concat!("creepage ", env!("CARGO_PKG_VERSION"));

@@ -368,7 +368,7 @@ pub unsafe extern "C" fn fmi2CompletedIntegratorStep(
     unsafe { with(component, work) }
 }
 
-/// Goes on: outputs are those of the inputs. Outside the map it discards the step.
+/// Goes on: outputs are those of the inputs. Where there are none it discards the step.
 ///
 /// # Safety
 /// The instance is alive.
@@ -382,7 +382,7 @@ pub unsafe extern "C" fn fmi2DoStep(
     let work = |component: &mut Component| match component.instance.outputs() {
         Ok(_) => {
             component.instance.inputs.time = current + step;
-            OK
+            component.answered()
         }
         Err(error) => component.discard(&error),
     };

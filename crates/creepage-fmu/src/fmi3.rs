@@ -522,7 +522,7 @@ pub unsafe extern "C" fn fmi3GetOutputDerivatives(
     unsafe { with(component, |component| component.wrong("no derivatives by time")) }
 }
 
-/// Goes on: outputs are those of the inputs. Outside the map it discards the step.
+/// Goes on: outputs are those of the inputs. Where there are none it discards the step.
 ///
 /// # Safety
 /// The instance is alive, and places are.
@@ -552,7 +552,7 @@ pub unsafe extern "C" fn fmi3DoStep(
             *last = time;
         }
         match outcome {
-            Ok(_) => OK,
+            Ok(_) => component.answered(),
             Err(error) => component.discard(&error),
         }
     };

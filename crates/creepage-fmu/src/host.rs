@@ -3,17 +3,19 @@
 
 use std::ffi::{CString, c_int, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
 use std::ptr;
 
-use creepage_map::MapError;
-
+use crate::contacts::{AnswerError, Contacts, ContactsError};
 use crate::fmi2::Logger;
 use crate::fmi3::LogMessage;
 use crate::instance::{Inputs, Instance, STATE_BYTES};
+use crate::resources::Resources;
 use crate::variables::{INPUTS, real, switch};
 
 pub(crate) type Status = c_int;
 pub(crate) const OK: Status = 0;
+pub(crate) const WARNING: Status = 1;
 pub(crate) const DISCARD: Status = 2;
 pub(crate) const ERROR: Status = 3;
 
@@ -56,10 +58,9 @@ pub struct Component {
 }
 
 impl Component {
-    /// One of the map in a directory of resources; else NULL, and the host hears why.
+    /// One of what lies in a directory of resources; else NULL, and the host hears why.
     pub(crate) fn open(log: Log, resources: &str, token: &str) -> *mut Self {
-        let path = format!("{}/wheelset.nc", resources.trim_end_matches(['/', '\\']));
-        match Instance::open(&path, token) {
+        match opened(resources, token) {
             Ok(instance) => Box::into_raw(Box::new(Self { instance, log })),
             Err(error) => {
                 log.say(ERROR, &error.to_string());
@@ -73,10 +74,21 @@ impl Component {
         ERROR
     }
 
-    /// What comes of a failure of the map.
-    pub(crate) fn discard(&self, error: &MapError) -> Status {
+    /// What comes of a failure of the map or the solver.
+    pub(crate) fn discard(&self, error: &AnswerError) -> Status {
         self.log.say(DISCARD, &error.to_string());
         DISCARD
+    }
+
+    /// What comes of an answer: its caution is told once.
+    pub(crate) fn answered(&mut self) -> Status {
+        match self.instance.take_caution() {
+            Some(words) => {
+                self.log.say(WARNING, &words);
+                WARNING
+            }
+            None => OK,
+        }
     }
 
     /// Numbers by their references, `time` being that of the time if there is one; `kind` is what the version calls them.
@@ -99,7 +111,7 @@ impl Component {
                 Err(error) => return self.discard(&error),
             }
         }
-        OK
+        self.answered()
     }
 
     pub(crate) fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Status {
@@ -161,6 +173,15 @@ impl Component {
             Err(error) => self.discard(&error),
         }
     }
+}
+
+fn opened(folder: &str, expected: &str) -> Result<Instance, ContactsError> {
+    let resources = Resources::read(Path::new(folder))?;
+    let found = resources.token();
+    if found != expected {
+        return Err(ContactsError::Token { found, expected: expected.into() });
+    }
+    Ok(Instance::new(Contacts::open(&resources)?))
 }
 
 pub(crate) const NO_DERIVATIVE: &str = "derivatives are those of outputs by inputs";

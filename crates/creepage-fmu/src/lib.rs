@@ -1,9 +1,10 @@
-//! A wheelset's [contact map](creepage_map) as a Functional Mock-up Unit, for FMI 2.0 and 3.0, Model Exchange
-//! and Co-Simulation.
+//! A wheelset as a Functional Mock-up Unit, for FMI 2.0 and 3.0, Model Exchange and Co-Simulation: by its
+//! [contact map](creepage_map), or by the [solver](creepage_study::WheelsetSolver) itself.
 //!
-//! One library serves both versions: `fmi2*` and `fmi3*` do not collide. It is serial, starts no thread, and
-//! keeps nothing when an instance is freed. The FMU is memoryless: outputs are those of the present inputs.
-//! [`pack`] makes the archive from a map and the library, without a compiler.
+//! One library serves both versions: `fmi2*` and `fmi3*` do not collide. It keeps nothing when an instance is freed. By a
+//! map it starts no thread; each solver has one, which ends with its instance. The FMU is memoryless: outputs are those of
+//! the present inputs, the same bits whatever was asked before. [`pack`] and [`pack_solver`] make the archive from a map or a
+//! wheelset's file and the library, without a compiler.
 //!
 //! ```no_run
 //! use creepage_fmu::{Version, pack};
@@ -12,12 +13,16 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod contacts;
 mod description;
 pub mod fmi2;
 pub mod fmi3;
 mod host;
 mod instance;
 mod pack;
+mod resources;
+mod solver;
 mod variables;
 
-pub use pack::{PackError, Version, library_name, pack};
+pub use contacts::ContactsError;
+pub use pack::{PackError, Version, library_name, pack, pack_solver};

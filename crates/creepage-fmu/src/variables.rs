@@ -79,11 +79,15 @@ pub(crate) const REALS: [Real; 41] = [
     output("right_dissipation", "J/m", "at the right wheel"),
     output("found_z", "m", "height, given or found"),
     output("found_roll", "rad", "roll, given or found"),
-    output("found_pitch_rate", "rad/s", "pitch rate, given or found"),
+    output(
+        "found_pitch_rate",
+        "rad/s",
+        "pitch rate, given or found; the mean of independent wheels",
+    ),
     output(
         "left_error",
         "1",
-        "largest measured error of the map's tangential force there, over mu N, left",
+        "error of the left tangential force over mu N: the largest measured there in the map, or the solver's bar",
     ),
     output("right_error", "1", "the same at the right wheel"),
     output("left_contacts", "1", "places of contact of the left wheel"),

@@ -29,6 +29,9 @@ pub struct Wheel {
 }
 
 impl Wheel {
+    /// The largest nominal radius (m): a number above it is in another unit.
+    const LARGEST: f64 = 10.0;
+
     /// A wheel from its profile and nominal radius (m); its flange back lies at the profile's
     /// `y = -0.070`.
     ///
@@ -41,8 +44,8 @@ impl Wheel {
         let stations = profile.curve().stations(STATION_SPACING).into_iter();
         let stations: Vec<_> = stations.map(|s| (s, profile.curve().at(s))).collect();
         let least = stations.iter().map(|(_, point)| point.z).fold(0.0, f64::min);
-        if !(radius + least > 0.0 && radius.is_finite()) {
-            let range = "large enough for the profile";
+        if !(radius + least > 0.0 && radius <= Self::LARGEST) {
+            let range = "large enough for the profile, at most 10 m";
             return Err(GeometryError::Value { name: "radius", value: radius, range });
         }
         let variation = None;

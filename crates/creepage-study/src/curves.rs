@@ -188,6 +188,13 @@ impl Curves {
         self.lines.push(Curve { theory: name.into(), solutions, largest });
     }
 
+    /// The largest tangential force of all theories over `mu N`.
+    #[must_use]
+    pub fn largest_share(&self) -> f64 {
+        let solutions = self.lines.iter().flat_map(|line| &line.solutions);
+        solutions.map(|solution| solution.force.fx.hypot(solution.force.fy)).fold(0.0, f64::max)
+    }
+
     /// The largest tangential force of each theory that has one inside the range, in the order in which
     /// they were added: only where friction falls with the speed of slip.
     pub fn largest(&self) -> impl Iterator<Item = (&str, LargestForce)> {

@@ -109,6 +109,7 @@ pub use creepage_wheelset::{
     PitchRate, PlaceOnRail, RailFriction, RailSprings, Resultant, RigidSlip, SolvedContact,
     SolvedWheel, SolvedWheelset, StateVariable, SteppedWheelset, StepsStart, SurfaceLimits,
     WheelSteps, WheelsetDerivatives, WheelsetError, WheelsetPose, WheelsetSolver, WheelsetVelocity,
+    asked,
 };
 pub use curves::{Component, Curves, LargestForce};
 pub use damage::{Damage, DamageWanted, WearRow};
@@ -139,11 +140,11 @@ pub use stresses::{StressError, StressFileError, StressPoint, Stresses, stress_c
 pub use text::hertz_text;
 pub use unattainable::UnattainableForce;
 pub use wheelset::{
-    ConicityTable, MapBuildError, MapPlan, MapProgress, MapResolution, MapStage, ProfileNote,
-    TableAxis, WHEEL_STEP_COLUMNS, WHEEL_STEP_NUMBERS, Wear, WearEnd, WearError, WearLaw,
-    WearLimit, WearMeasure, WearPlan, WearProgress, WearSituation, WearStop, WheelStepsRun,
-    WheelTable, WheelTableError, WheelsetCase, WheelsetFile, WheelsetFileError, WheelsetReport,
-    WheelsetTable, WornBodies, WornBody, WornProfile, WornSides, build_map, conicity,
-    profile_pictures, radius_difference_csv, wear, wheelset_caution_words, wheelset_cautions,
-    wheelset_json_schema,
+    ConicityTable, MapBuildError, MapPlan, MapProgress, MapResolution, MapStage, PackedWheelset,
+    ProfileNote, TableAxis, VehicleInCurve, WHEEL_STEP_COLUMNS, WHEEL_STEP_NUMBERS, Wear, WearEnd,
+    WearError, WearLaw, WearLimit, WearMeasure, WearPlan, WearProgress, WearSituation, WearStop,
+    WheelStepsRun, WheelTable, WheelTableError, WheelsetCase, WheelsetFile, WheelsetFileError,
+    WheelsetReport, WheelsetTable, WornBodies, WornBody, WornProfile, WornSides, build_map,
+    conicity, profile_pictures, radius_difference_csv, wear, wheelset_caution_words,
+    wheelset_cautions, wheelset_json_schema,
 };

@@ -17,6 +17,7 @@ use super::{free, write_answers};
 use crate::batch_args::BatchArgs;
 use crate::failure::Failure;
 use crate::outcome::Outcome;
+use crate::output::say;
 use crate::wheelset::{read, say_found, say_left_out};
 
 /// Beside what a wheelset is asked by: friction, and the place where surfaces vary along rolling.
@@ -62,6 +63,13 @@ pub(super) fn run(args: &BatchArgs, path: &Path) -> Result<Outcome, Failure> {
     }
     case.notes.iter().for_each(say_found);
     say_left_out(&case, "rows");
+    let differs = case.friction.as_ref().is_some_and(|[left, right]| left != right)
+        || case.guard_friction.iter().any(Option::is_some);
+    if places.friction.is_some() && differs {
+        say(
+            "note: the column friction holds on all rails, in place of the different ones of the file",
+        );
+    }
     let answers = |rows: &[ByteRecord]| {
         Ok(rows.par_iter().map(|row| places.answer(row, &case, &solver)).collect())
     };

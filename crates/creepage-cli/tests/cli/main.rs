@@ -24,6 +24,7 @@ mod history;
 mod inverse;
 mod line;
 mod map;
+mod met;
 mod place;
 mod profile;
 mod reproduce;

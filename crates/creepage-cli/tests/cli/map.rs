@@ -72,6 +72,9 @@ fn a_small_map_is_built_and_says_its_error() {
     place
         .run(&["fmu", "ellipses.nc", "--out", "wheelset.fmu"])
         .refused(&["ellipses.nc is a table of creep force, not a contact map"]);
+    place
+        .run(&["fmu", "map.nc", "--exact", "--out", "wheelset.fmu"])
+        .refused(&["map.nc is a contact map; --exact takes the wheelset's file"]);
     assert_eq!(place.files(), ["ellipses.nc", "map.nc", "wheelset.toml"]);
 }
 
@@ -129,4 +132,26 @@ fn wrong_plans_are_refused_and_nothing_is_written() {
         assert!(!ran.stderr.contains("ellipses"), "{}", ran.stderr);
     }
     assert!(!place.path("map.nc").exists() && !place.path("map.nc.journal").exists());
+}
+
+/// What an FMU of the solver has no input for is named; a library that is none, too.
+#[test]
+fn a_solver_in_an_fmu_refuses_what_its_inputs_cannot_say() {
+    let place = place();
+    place.write("library", "fmi3DoStep");
+    let fmu = ["fmu", "wheelset.toml", "--out", "W.fmu", "--library", "library"];
+    place.run(&fmu).refused(&["solve it in the FMU itself by --exact"]);
+    for (from, to, words) in [
+        ("axle_load = 100e3", "axle_load = 1e5\nroll_moment = 1e3", "roll_moment"),
+        ("roll = \"free\"", "roll = 1e-4", "roll = a number under a load"),
+        ("friction = 0.3", "friction = [[0.0, 0.3], [1.0, 0.2]]", "friction"),
+        ("axle_load = 100e3", "y_ = 1.0", "y_"),
+    ] {
+        place.write("wheelset.toml", WHEELSET.replace(from, to));
+        place.run(&[&fmu[..], &["--exact"]].concat()).refused(&["wheelset.toml", words]);
+    }
+    place.write("wheelset.toml", WHEELSET);
+    let another = [&fmu[..5], &["wheelset.toml", "--exact"]].concat();
+    place.run(&another).refused(&["it is not that of creepage-fmu"]);
+    assert_eq!(place.files(), ["library", "wheelset.toml"]);
 }

@@ -32,7 +32,8 @@ impl Radius {
     }
 }
 
-/// Radii along the rolling direction of two cylinders (m), those of the bodies or the one of both; refuses crowns.
+/// Radii along the rolling direction of two cylinders (m), those of the bodies or the one of both; refuses crowns, and
+/// cylinders that do not touch along a line.
 pub(crate) fn line_radii(
     bodies: [&Body; 2],
     of_both: Option<Radius>,
@@ -61,7 +62,14 @@ pub(crate) fn line_radii(
             || CaseError::Missing { section: section.into(), key: "radius_rolling".into() };
         *radius = metres(section, body.radius_rolling.ok_or_else(missing)?)?;
     }
-    Ok(radii)
+    let [upper, lower] = radii;
+    if upper.recip() + lower.recip() > 0.0 {
+        return Ok(radii);
+    }
+    // A hollow that is as tight as the body that it holds, or two flat bodies.
+    let (section, value) = if lower < 0.0 { ("lower", lower) } else { ("upper", upper) };
+    let valid = "such that the bodies part: a hollow (negative) larger in size than what it holds, not both flat";
+    Err(CaseError::Radius { section, key: "radius_rolling", value, valid })
 }
 
 impl fmt::Display for Radius {

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use creepage::normal::{NormalContact, Patch};
-use creepage::theory::ExactOptions;
+use creepage::theory::{ExactOptions, NoOptions};
 use creepage::{Contact, Layer, Solution, Status, TheorySpec};
 
 use super::Caution;
@@ -38,7 +38,7 @@ impl Caution {
             matches!(caution, Self::Accuracy { prescribed, reached } if reached > prescribed)
         });
         let [friction, layer] = Self::between_surfaces(theory, contact);
-        let beyond = Self::beyond_friction(theory, solution);
+        let beyond = Self::beyond_friction(solution.force.fx.hypot(solution.force.fy));
         let large = contact.friction().and_then(Self::large_friction);
         let all = [status, dissimilar, one_way, friction, layer, accuracy, beyond, large];
         let all = all.into_iter().flatten().chain(Self::slip_beyond(contact));
@@ -61,11 +61,11 @@ impl Caution {
     /// Force over `mu N` from which it is beyond friction: rounding and error bars lie below.
     const LARGEST_SHARE: f64 = 1.001;
 
-    /// A force that is larger than friction allows.
-    fn beyond_friction(theory: &TheorySpec, solution: &Solution) -> Option<Self> {
-        let share = solution.force.fx.hypot(solution.force.fy);
-        (share > Self::LARGEST_SHARE)
-            .then_some(Self::BeyondFriction { theory: theory.facts().name, share })
+    /// A force that is larger than friction allows, over `mu N`: of the one theory without slip.
+    #[must_use]
+    pub fn beyond_friction(share: f64) -> Option<Self> {
+        let theory = TheorySpec::Linear(NoOptions {}).facts().name;
+        (share > Self::LARGEST_SHARE).then_some(Self::BeyondFriction { theory, share })
     }
 
     /// What a theory neglects between the surfaces: a law of friction, a layer.

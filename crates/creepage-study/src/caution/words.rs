@@ -65,7 +65,7 @@ impl fmt::Display for Caution {
             ),
             Self::NoLayer { theory } => write!(
                 f,
-                "{theory} leaves out the layer between the bodies; exact and fastsim count it"
+                "{theory} leaves out the layer between the bodies; exact counts it, fastsim on ellipses"
             ),
             Self::ThickLayer { share, stiffer } => write!(
                 f,
@@ -200,7 +200,7 @@ impl Caution {
             Self::Slides { component, value } => write!(
                 f,
                 "the wheel spins or is locked: its {component} creepage is {}, over the mean speed of \
-                 both surfaces",
+                 both surfaces, by which heat and wear go too: a metre rolled is no metre of track",
                 significant(value, 4)
             ),
             _ => Ok(()),

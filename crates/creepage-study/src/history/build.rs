@@ -284,6 +284,11 @@ fn resolution(options: &ExactOptions) -> Result<Resolution, HistoryError> {
             },
         },
     };
+    if options.coupled {
+        let valid = "false where bodies roll unsteadily: their pressure is that without friction";
+        let invalid = InvalidValue { quantity: "coupled", value: 1.0, valid };
+        return Err(CaseError::invalid("solve")(invalid).into());
+    }
     let resolution = options.fixed_resolution().map_err(invalid)?;
     resolution.ok_or(HistoryError::Automatic)
 }

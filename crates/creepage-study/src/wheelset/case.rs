@@ -14,6 +14,8 @@ use creepage_wheelset::{
 
 use super::error::{WheelsetFileError, section};
 use super::report::WheelsetReport;
+use super::vehicle::VehicleInCurve;
+use crate::case::CaseError;
 use crate::{DamageWanted, HeatWanted, Sources};
 
 /// A wheelset in its track.
@@ -23,6 +25,8 @@ pub struct WheelsetCase {
     pub running: WheelsetOnTrack,
     /// Where the wheelset stands.
     pub stance: WheelsetPose,
+    /// The vehicle that gives its loads by speed and curve, where the file has it.
+    pub vehicle: Option<VehicleInCurve>,
     /// How it moves, where that is given.
     pub travel: Option<WheelsetVelocity>,
     /// Wheel and rail, where their materials are given.
@@ -119,15 +123,43 @@ impl WheelsetCase {
         (left.is_some() && is_there(Side::Left)) || (right.is_some() && is_there(Side::Right))
     }
 
-    /// The position and the motion of numbers as of [`ASKED`]; NaN is the wheelset's own.
+    /// The position and the motion of numbers as of [`ASKED`]; NaN is the wheelset's own. Loads that follow from a
+    /// vehicle's statics are those at the speed asked for.
     ///
     /// # Errors
-    /// [`WheelsetFileError`] for numbers that are not finite or contradict each other.
+    /// [`WheelsetFileError`] for numbers that are not finite or contradict each other or the file.
     pub fn asked(
         &self,
         numbers: &[f64; ASKED.len()],
     ) -> Result<(WheelsetPose, WheelsetVelocity), WheelsetFileError> {
-        Ok(asked((self.stance, self.travel.unwrap_or_default()), numbers)?)
+        self.asked_in_curve(numbers, f64::NAN)
+    }
+
+    /// The same in a curve of this curvature (1/m); NaN is the wheelset's own.
+    ///
+    /// # Errors
+    /// As [`WheelsetCase::asked`].
+    pub(super) fn asked_in_curve(
+        &self,
+        numbers: &[f64; ASKED.len()],
+        curvature: f64,
+    ) -> Result<(WheelsetPose, WheelsetVelocity), WheelsetFileError> {
+        let own = self.travel.unwrap_or_default();
+        let curvature = if curvature.is_nan() { own.curvature } else { curvature };
+        let travel = WheelsetVelocity { curvature, ..own };
+        let (mut pose, travel) = asked((self.stance, travel), numbers)?;
+        let Some(vehicle) = &self.vehicle else { return Ok((pose, travel)) };
+        let is_given = |key: &str| {
+            ASKED.iter().zip(numbers).any(|(name, value)| *name == key && !value.is_nan())
+        };
+        if let Some(key) = ["axle_load", "roll_moment"].into_iter().find(|key| is_given(key)) {
+            let [first, second] = ["mass", key].map(|key| ("wheelset", key));
+            return Err(CaseError::Conflict { first, second }.into());
+        }
+        if !is_given("z") {
+            pose.load = Some(vehicle.load(travel.speed, travel.curvature)?);
+        }
+        Ok((pose, travel))
     }
 
     fn solver_on_rails(&self) -> Result<WheelsetSolver<'_>, WheelsetFileError> {

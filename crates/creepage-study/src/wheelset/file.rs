@@ -17,7 +17,6 @@ use toml::Table;
 use super::case::{ProfileNote, WheelsetCase};
 use super::error::{WheelsetFileError, checked, needed, section};
 use super::friction::RailFrictionValue;
-use super::guard::GuardSection;
 use super::profile::{RequestedProfile, of_points};
 use super::sections::{
     FrictionSection, MaterialSection, MotionSection, RailSection, ReadingSection, SideName,
@@ -152,12 +151,16 @@ impl WheelsetFile {
         let mut stance = self.wheelset.stance()?;
         let runs = (travel.map_or(0.0, |travel| travel.speed), curvature);
         let tapes = running.wheelset().tape_distance();
-        stance.load = stance.load.or(self.wheelset.load_in_curve(&self.track, runs, tapes)?);
+        let vehicle = self.wheelset.vehicle(&self.track, tapes)?;
+        if let Some(vehicle) = &vehicle {
+            stance.load = Some(vehicle.load(runs.0, runs.1)?);
+        }
         let speed = travel.map(|travel| travel.speed);
         let heat = self.heat.as_ref().map(|section| section.wanted_of_wheels(speed)).transpose()?;
         Ok(WheelsetCase {
             running,
             stance,
+            vehicle,
             travel,
             solids: self.solids()?,
             friction: self.friction()?,
@@ -212,6 +215,13 @@ impl WheelsetFile {
         let place = self.track.place()?;
         let mut rail = |side| self.rail(side, place, directory, notes);
         let track = Track { left: rail(Side::Left)?, right: rail(Side::Right)? };
+        for rail in [&track.left, &track.right] {
+            let radius = rail.roller().map_or(0.0, Roller::radius);
+            let is_valid = radius >= 0.0 || radius < -wheelset.radius();
+            let valid =
+                "for a ring around the wheel (below zero) larger in size than the wheel's radius";
+            checked("rail", "roller_radius", radius, is_valid, valid)?;
+        }
         let [s, pitch] = [self.wheelset.s, self.wheelset.pitch].map(|value| value.unwrap_or(0.0));
         wheelset.on(track).at(s, pitch).map_err(WheelsetFileError::geometry("wheelset"))
     }
@@ -343,7 +353,12 @@ impl WheelsetFile {
         let corrugation = rail.corrugation.iter().flatten().map(Corrugation::from).collect();
         let variation = RailVariation { slices, corrugation };
         let guard = rail.guard.as_ref();
-        guard.map(GuardSection::check).transpose()?;
+        let of_guard = match (&own.guard, side) {
+            (None, _) => "rail.guard",
+            (Some(_), Side::Left) => "rail_left.guard",
+            (Some(_), Side::Right) => "rail_right.guard",
+        };
+        guard.map(|guard| guard.check(of_guard)).transpose()?;
         let cant = rail.cant.unwrap_or(0.0);
         let geometry = WheelsetFileError::geometry(section);
         let laid = match guard {
@@ -352,7 +367,7 @@ impl WheelsetFile {
         };
         let mut laid = laid.map_err(&geometry)?;
         if let Some(guard) = guard.filter(|guard| !guard.is_grooved()) {
-            laid = noted(guard.beside(laid, (side, place), directory)?, notes);
+            laid = noted(guard.beside(laid, (of_guard, side, place), directory)?, notes);
         }
         if let Some(radius) = rail.roller_radius {
             let roller = Roller::new(radius).map_err(&geometry)?;

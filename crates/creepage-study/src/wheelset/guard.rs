@@ -13,7 +13,6 @@ use super::friction::RailFrictionValue;
 use super::sections::ReadingSection;
 use crate::case::CaseError;
 
-const SECTION: &str = "rail.guard";
 /// Depth below the track plane down to which a flangeway is measured (m), where no gauge has one.
 const DEPTH: f64 = 0.014;
 
@@ -55,7 +54,7 @@ impl GuardSection {
     }
 
     /// Refuses a place and a profile of its own where the rail is grooved.
-    pub(super) fn check(&self) -> Result<(), CaseError> {
+    pub(super) fn check(&self, section: &'static str) -> Result<(), CaseError> {
         if !self.is_grooved() {
             return Ok(());
         }
@@ -70,7 +69,7 @@ impl GuardSection {
         ];
         match own.into_iter().find(|(_, is_given)| *is_given) {
             Some((key, _)) => {
-                let [first, second] = ["grooved", key].map(|key| (SECTION, key));
+                let [first, second] = ["grooved", key].map(|key| (section, key));
                 Err(CaseError::Conflict { first, second })
             }
             None => Ok(()),
@@ -80,25 +79,25 @@ impl GuardSection {
     /// Its profile, with a note where it comes from a file.
     fn profile(
         &self,
-        side: Side,
+        (section, side): (&'static str, Side),
         directory: &Path,
     ) -> Result<(Profile, Option<ProfileNote>), WheelsetFileError> {
         let given = (self.profile.as_deref(), self.points.as_deref());
-        loaded(given, (SECTION, Role::Rail, side, self.reading), directory)
+        loaded(given, (section, Role::Rail, side, self.reading), directory)
     }
 
-    /// The rail of a side with this one beside it.
+    /// The rail of a side with this one beside it; `section` is what the file calls it.
     pub(super) fn beside(
         &self,
         rail: Rail,
-        (side, place): (Side, Place),
+        (section, side, place): (&'static str, Side, Place),
         directory: &Path,
     ) -> Result<(Rail, Option<ProfileNote>), WheelsetFileError> {
-        let (profile, note) = self.profile(side, directory)?;
-        let geometry = WheelsetFileError::geometry(SECTION);
+        let (profile, note) = self.profile((section, side), directory)?;
+        let geometry = WheelsetFileError::geometry(section);
         let cant = self.cant.unwrap_or(0.0);
         let conflict = |key| {
-            let [first, second] = ["position", key].map(|key| (SECTION, key));
+            let [first, second] = ["position", key].map(|key| (section, key));
             Err(CaseError::Conflict { first, second }.into())
         };
         let guarded = match (self.position, self.flangeway, self.height) {
@@ -108,7 +107,7 @@ impl GuardSection {
                 Rail::new(&profile, cant, Place::At(position)).map(|guard| rail.with_guard(guard))
             }
             (None, flangeway, height) => {
-                let flangeway = needed(SECTION, "flangeway", flangeway)?;
+                let flangeway = needed(section, "flangeway", flangeway)?;
                 let depth = if let Place::Gauge { height, .. } = place { height } else { DEPTH };
                 rail.guarded(&profile, cant, [flangeway, height.unwrap_or(0.0), depth])
             }

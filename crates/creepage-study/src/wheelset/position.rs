@@ -6,6 +6,7 @@ use creepage_wheelset::{Drive, Load, PitchRate, WheelsetPose, WheelsetVelocity};
 use super::error::{WheelsetFileError, checked};
 use super::free::{GivenOrFree, PitchValue};
 use super::sections::{MotionSection, SideName, TrackSection, WheelsOnAxle, WheelsetSection};
+use super::vehicle::VehicleInCurve;
 use crate::case::CaseError;
 
 const WHEELSET: &str = "wheelset";
@@ -82,15 +83,12 @@ impl WheelsetSection {
         Ok(Some(load))
     }
 
-    /// The loads of both wheels in a curve: of a rigid vehicle that leans outwards by the acceleration in the
-    /// plane of its track.
-    pub(super) fn load_in_curve(
+    /// The vehicle whose loads follow from the statics of a curve, where they are not given.
+    pub(super) fn vehicle(
         &self,
         track: &TrackSection,
-        (speed, curvature): (f64, f64),
         tapes: f64,
-    ) -> Result<Option<Load>, WheelsetFileError> {
-        const GRAVITY: f64 = 9.806_65;
+    ) -> Result<Option<VehicleInCurve>, WheelsetFileError> {
         let missing = |key: &str| CaseError::Missing { section: WHEELSET.into(), key: key.into() };
         let (mass, height) = match (self.mass, self.centre_height) {
             (Some(mass), Some(height)) => (mass, height),
@@ -103,28 +101,8 @@ impl WheelsetSection {
             let [first, second] = ["mass", load.key()].map(|key| (WHEELSET, key));
             return Err(CaseError::Conflict { first, second }.into());
         }
-        let positive = |key, value: f64| {
-            checked(WHEELSET, key, value, value > 0.0 && value.is_finite(), "positive and finite")
-        };
-        let (mass, height) = (positive("mass", mass)?, positive("centre_height", height)?);
         let raised = track.superelevation.unwrap_or(0.0);
-        let is_valid = raised.abs() < 0.5 * tapes;
-        let valid = "less than half of the distance between the wheels' running circles";
-        let raised = checked("track", "superelevation", raised, is_valid, valid)?;
-        let tilt = (raised / tapes).asin();
-        let outward = speed * speed * curvature.abs();
-        let aside = outward * tilt.cos() - GRAVITY * tilt.sin();
-        let down = GRAVITY * tilt.cos() + outward * tilt.sin();
-        let (half, more) = (0.5 * mass * down, mass * aside * height / tapes);
-        let [outer, inner] = [half + more, half - more];
-        let least = outer.min(inner);
-        let valid = "positive: the vehicle overturns at this speed, radius and superelevation";
-        checked(WHEELSET, "load of the lighter wheel in the curve", least, least > 0.0, valid)?;
-        Ok(Some(if curvature < 0.0 {
-            Load::Wheels([inner, outer])
-        } else {
-            Load::Wheels([outer, inner])
-        }))
+        VehicleInCurve::new([mass, height, raised], tapes).map(Some)
     }
 
     /// One wheel alone takes its own load, and nothing lets it roll.

@@ -2,7 +2,7 @@
 
 use super::case::WheelsetCase;
 use crate::{Caution, Damage, Heat};
-use creepage::{SiCreepage, Solid, SolidPair, Status};
+use creepage::{SiCreepage, SiForce, Solid, SolidPair, Status};
 use creepage_rail::{RadiusDifference, RollingCreepage, Side};
 use creepage_wheelset::{Roughness, SolvedContact, SolvedWheel, SolvedWheelset, rough_profiles};
 use std::ops::Deref;
@@ -119,9 +119,13 @@ fn of_contact(contact: &SolvedContact, damage: Option<&Damage>) -> Vec<Caution> 
     let shear_yield = damage.map(|damage| peak / damage.peak_over_shear_yield);
     let yields = Caution::yields(peak, contact.normal.pair().shear_modulus(), shear_yield);
     let at_rest = contact.at_rest.map(|theory| Caution::ConstantFriction { theory });
+    let SiForce { longitudinal: along, lateral: across, .. } = contact.force;
+    let beyond =
+        Caution::beyond_friction(along.hypot(across) / (contact.friction * contact.load()));
     let all = status
         .into_iter()
         .chain(at_rest)
+        .chain(beyond)
         .chain(slides)
         .chain(Caution::large_friction(contact.friction))
         .chain(yields)

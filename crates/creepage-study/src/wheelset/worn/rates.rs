@@ -10,7 +10,6 @@ use super::section::{WearLaw, WearPlan, WearSituation, WornSides};
 use super::state::{Bodies, WornBody};
 use crate::damage::of_elements;
 use crate::wheelset::{WheelsetCase, wheelset_caution_words};
-use creepage_wheelset::WheelsetVelocity;
 use creepage_wheelset::{SolvedContact, SolvedWheel};
 use creepage_wheelset::{SolvedWheelset, WheelsetSolver};
 
@@ -198,10 +197,7 @@ fn solve(
     situation: &WearSituation,
     before: Option<&SolvedWheelset>,
 ) -> Result<SolvedWheelset, crate::WheelsetFileError> {
-    let (stance, travel) = case.asked(&situation.asked)?;
-    let curvature = situation.curvature;
-    let curvature = if curvature.is_nan() { travel.curvature } else { curvature };
-    let travel = WheelsetVelocity { curvature, ..travel };
+    let (stance, travel) = case.asked_in_curve(&situation.asked, situation.curvature)?;
     let solver = match situation.friction {
         own if own.is_nan() => solver.clone(),
         friction => solver.with_friction(friction),

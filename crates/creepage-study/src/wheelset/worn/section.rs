@@ -365,7 +365,7 @@ impl WearPlan {
             return Err(crate::wheelset::error::section("motion", "speed").into());
         }
         for situation in &self.situations {
-            case.asked(&situation.asked)?;
+            case.asked_in_curve(&situation.asked, situation.curvature)?;
             let friction = situation.friction;
             let is_valid = friction.is_nan() || (friction > 0.0 && friction <= 5.0);
             checked(WEAR, "friction", friction, is_valid, "above 0, at most 5")?;
