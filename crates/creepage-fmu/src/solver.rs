@@ -163,19 +163,7 @@ fn own(case: &WheelsetCase) -> Result<State, ContactsError> {
         PitchRate::Independent([left, right]) if left == right => left,
         PitchRate::Independent(_) => return wrong("[motion] different pitch rates of both wheels"),
     };
-    Ok(State {
-        y: stance.y,
-        yaw: stance.yaw,
-        roll: stance.roll,
-        pressed,
-        speed: travel.speed,
-        pitch_rate,
-        lateral_velocity: travel.lateral_velocity,
-        vertical_velocity: travel.vertical_velocity,
-        roll_rate: travel.roll_rate,
-        yaw_rate: travel.yaw_rate,
-        friction,
-    })
+    Ok(case.state(pressed, pitch_rate, friction))
 }
 
 /// Outputs in the order of the variables.
@@ -192,7 +180,7 @@ fn outputs(solved: &SolvedWheelset, radius: f64) -> [f64; OUTPUTS] {
             [one.creepage.longitudinal, one.creepage.lateral, one.creepage.spin]
         })
     });
-    let heat = contacts.map(|all| all.iter().map(dissipation).sum::<f64>());
+    let heat = contacts.map(|all| all.iter().map(SolvedContact::heat).sum::<f64>());
     let position = solved.position();
     // Both wheels are there.
     let rate = 0.5 * solved.wheels().map(|wheel| wheel.pitch_rate).sum::<f64>();
@@ -204,16 +192,6 @@ fn outputs(solved: &SolvedWheelset, radius: f64) -> [f64; OUTPUTS] {
     let parts = parts.chain([&position.z, &position.roll, &rate]).chain(&errors).chain(&counts);
     all.iter_mut().zip(parts).for_each(|(to, from)| *to = *from);
     all
-}
-
-/// Heat of a contact (J/m); force times creepage where the theory has no slip.
-fn dissipation(contact: &SolvedContact) -> f64 {
-    let (force, creepage) = (contact.force, contact.creepage);
-    contact.dissipation.unwrap_or(
-        force.longitudinal * creepage.longitudinal
-            + force.lateral * creepage.lateral
-            + force.moment * creepage.spin,
-    )
 }
 
 /// Error bar of a wheel's tangential force over `mu N`; NaN where the theory has none.

@@ -239,7 +239,7 @@ fn drawn(contact: &SolvedContact, numbers: &mut Vec<f64>) {
     numbers.extend([creepage.longitudinal, creepage.lateral, creepage.spin]);
     numbers.extend([force.longitudinal, force.lateral, force.moment, error[0], error[1]]);
     let (peak, area) = (contact.normal.peak_pressure().value, contact.normal.area().value);
-    let heat = contact.dissipation.unwrap_or(f64::NAN);
+    let heat = contact.heat();
     numbers.extend([peak, area, contact.adhesion_share(), heat, elements.len() as f64]);
     numbers.extend(elements.iter().flat_map(|one| element(contact, one)));
 }

@@ -154,6 +154,18 @@ impl SolvedContact {
         self.normal.load().value
     }
 
+    /// Energy turned to heat per metre rolled (J/m): by tractions and slip where the theory has both, else by its force
+    /// and creepage.
+    #[must_use]
+    pub fn heat(&self) -> f64 {
+        let (force, creepage) = (self.force, self.creepage);
+        self.dissipation.unwrap_or(
+            force.longitudinal * creepage.longitudinal
+                + force.lateral * creepage.lateral
+                + force.moment * creepage.spin,
+        )
+    }
+
     /// What it does to the rail, with the moment about `point`.
     fn on_rail(&self, point: [f64; 3]) -> Resultant {
         let [along, across, normal] = self.tilt().axes();

@@ -87,6 +87,25 @@ fn loads_in_a_curve_follow_the_speed_of_each_row() {
     assert!(ran.stdout.contains("axle_load") && ran.stdout.contains("mass"), "{}", ran.stdout);
 }
 
+/// A theory without an integral of slip has the heat of its force and creepage.
+#[test]
+fn fastsim_has_heat_on_wheels() {
+    let place = Place::new();
+    place.write("case.toml", wheelset() + "\n[solve]\ntheory = \"fastsim\"\n");
+    let report = json(&place.run(&["wheelset", "case.toml", "--json"]).done());
+    let patch = &report["right"]["patches"][0];
+    let number = |key: &str| patch[key].as_f64().unwrap();
+    let parts = [
+        ("longitudinal_n", "longitudinal_creepage"),
+        ("lateral_n", "lateral_creepage"),
+        ("moment_n_m", "spin_rad_per_m"),
+    ];
+    let wanted: f64 = parts.map(|(force, creepage)| number(force) * number(creepage)).iter().sum();
+    // Rounding.
+    let heat = number("frictional_power_per_metre_j_per_m");
+    assert!(heat > 0.0 && (heat / wanted - 1.0).abs() < 1e-12, "{heat} {wanted}");
+}
+
 /// The keys and sections are those of the file.
 #[test]
 fn refusals_name_what_is_in_the_file() {

@@ -244,7 +244,7 @@ pub(super) fn of_contact(
             "frictional_power_per_metre",
             "heat per metre rolled",
             JoulePerMetre,
-            contact.dissipation,
+            contact.heat(),
         );
     report.part("", "method", method(normal).into());
     report.part("", "status", contact.status.name().into());

@@ -98,20 +98,31 @@ fn own(case: &WheelsetCase, friction: f64) -> Result<State, MapBuildError> {
         Some(Load::Wheels(_) | Load::Loaded { .. }) => return Err(MapBuildError::UNEVEN),
         None => return Err(WheelsetError::NoLoad.into()),
     };
-    Ok(State {
-        y: stance.y,
-        yaw: stance.yaw,
-        roll: stance.roll,
-        pressed,
-        speed: travel.speed,
-        pitch_rate: match travel.pitch {
-            PitchRate::Rigid(rate) => rate,
-            PitchRate::Independent(_) => None,
-        },
-        lateral_velocity: travel.lateral_velocity,
-        vertical_velocity: travel.vertical_velocity,
-        roll_rate: travel.roll_rate,
-        yaw_rate: travel.yaw_rate,
-        friction,
-    })
+    let pitch_rate = match travel.pitch {
+        PitchRate::Rigid(rate) => rate,
+        PitchRate::Independent(_) => None,
+    };
+    Ok(case.state(pressed, pitch_rate, friction))
+}
+
+impl WheelsetCase {
+    /// Its position and motion as a state of which a contact map is asked, pressed so, at this pitch rate (rad/s) and
+    /// with this friction.
+    #[must_use]
+    pub fn state(&self, pressed: HeightOrLoad, pitch_rate: Option<f64>, friction: f64) -> State {
+        let (stance, travel) = (self.stance, self.travel.unwrap_or_default());
+        State {
+            y: stance.y,
+            yaw: stance.yaw,
+            roll: stance.roll,
+            pressed,
+            speed: travel.speed,
+            pitch_rate,
+            lateral_velocity: travel.lateral_velocity,
+            vertical_velocity: travel.vertical_velocity,
+            roll_rate: travel.roll_rate,
+            yaw_rate: travel.yaw_rate,
+            friction,
+        }
+    }
 }
