@@ -82,7 +82,9 @@ impl BallBearing {
             if is_valid { Ok(()) } else { Err(InvalidValue { quantity, value, valid }) }
         };
         let is_positive = |value: f64| value > 0.0 && value.is_finite();
-        check("ball diameter", self.ball_diameter, is_positive(self.ball_diameter), positive)?;
+        // A number above it is in another unit.
+        let (ball, valid) = (self.ball_diameter, "positive, at most 1 m");
+        check("ball diameter", ball, ball > 0.0 && ball <= 1.0, valid)?;
         check("density", self.density, is_positive(self.density), positive)?;
         check("friction", self.friction, is_positive(self.friction), positive)?;
         let pitch = self.pitch_diameter;

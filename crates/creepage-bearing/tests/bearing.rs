@@ -229,6 +229,11 @@ fn what_is_wrong_is_named() {
     let error =
         wrong.solve(&axial(1e3, 0.0, Control::Balance), BearingTheory::Sliding).unwrap_err();
     assert!(error.to_string().contains("it must be above 0.5"), "{error}");
+    // Millimetres.
+    let large = BallBearing { ball_diameter: 12.7, pitch_diameter: 60.0, ..like_7208() };
+    let error =
+        large.solve(&axial(1e3, 0.0, Control::Balance), BearingTheory::Sliding).unwrap_err();
+    assert!(error.to_string().contains("at most 1 m"), "{error}");
     let crowded = BallBearing { balls: 30, ..like_7208() };
     let error =
         crowded.solve(&axial(1e3, 0.0, Control::Balance), BearingTheory::Sliding).unwrap_err();

@@ -33,6 +33,8 @@ pub enum Caution {
         theory: &'static str,
         /// How dissimilar the bodies are.
         kappa_over_mu: f64,
+        /// By how much the force may be off for that, over `mu N`.
+        share: f64,
     },
     /// The theory takes friction as constant, though it falls with the speed of slip or differs across
     /// the contact.

@@ -43,14 +43,11 @@ impl fmt::Display for Caution {
                 f.write_str("no load presses the bodies together: no contact, and no force")
             }
             Self::Status(other) => f.write_str(other.name()),
-            // The pressure's slip changes the force most where there is no creepage. On a circle
-            // with Poisson's ratio 0.28 the change is 1.0 times kappa/mu there; 0.4 to 2.1 times
-            // over a/b from 20 to 0.05 and Poisson's ratios from 0.1 to 0.45.
-            Self::Dissimilar { theory, kappa_over_mu } => write!(
+            Self::Dissimilar { theory, kappa_over_mu, share } => write!(
                 f,
                 "{theory} takes the bodies for like ones (kappa/mu = {kappa_over_mu:.3}): for \
                  that the force may be off by some {:.0} % of mu N; exact counts it",
-                100.0 * kappa_over_mu.abs().min(1.0)
+                100.0 * share
             ),
             Self::ConstantFriction { theory } => write!(
                 f,

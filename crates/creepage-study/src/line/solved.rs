@@ -98,7 +98,7 @@ impl LineCase {
         }
         let kappa_over_mu = self.kappa_over_mu();
         if self.theory == LineTheory::Carter && kappa_over_mu.abs() >= UNLIKE {
-            cautions.push(Caution::Dissimilar { theory: "carter", kappa_over_mu });
+            cautions.push(Caution::dissimilar_on_line(kappa_over_mu));
         }
         cautions.extend(Caution::large_creepage(si));
         cautions.extend(Caution::yields(solved.peak[0], self.pair.shear_modulus(), None));
