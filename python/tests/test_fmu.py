@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import creepage
 import numpy as np
@@ -299,15 +300,18 @@ resolution = "fast"
 def test_forces_are_those_of_the_solver(solvers: tuple[Path, list[Path]], kind: str) -> None:
     path, made = solvers
     solver = creepage.Wheelset.from_toml(path).solver()
-    given = {"y": 0.0005, "yaw": -0.002, "lateral_velocity": 0.01, "axle_load": 110e3}
+    given: dict[str, Any] = {"y": 0.0005, "yaw": -0.002, "lateral_velocity": 0.01, "axle_load": 110e3}
     exact = solver.solve(**given)
     text = path.read_text().replace("friction = 0.3", "friction = 0.2")
     friction = creepage.Wheelset.from_toml(text, path.parent).solver().solve(**given)
     for fmu in made:
         assert validation.validate_fmu(str(fmu)) == []
         for more, right in (({}, exact), ({"friction": 0.2}, friction)):
+            messages: list[str] = []
+            # FMPy has one logger for all units of FMI 2, that of the last call: an earlier one may be gone.
             result = fmpy.simulate_fmu(
                 str(fmu),
+                logger=lambda *arguments, told=messages: told.append(str(arguments)),
                 fmi_type=kind,
                 stop_time=0.002,
                 output_interval=0.001,
@@ -315,6 +319,7 @@ def test_forces_are_those_of_the_solver(solvers: tuple[Path, list[Path]], kind: 
                 start_values={**given, **more},
                 output=["wrench_y", "wrench_moment_z", "left_x", "right_z", "found_roll", "left_error"],
             )
+            assert any("rough" in message for message in messages), messages
             for row in result:
                 # The same solution from nothing: only the sums may differ by rounding.
                 assert row["left_x"] == pytest.approx(right.left.force[0], rel=1e-9)
