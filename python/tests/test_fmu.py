@@ -244,7 +244,7 @@ def test_a_hundred_loads_and_unloads_leave_neither_threads_nor_memory(
     before = threads(), memory()
     for _ in range(100):
         once()
-    assert threads() == before[0]
+    assert threads() <= before[0]
     # The library is unloaded: no copy of it stays mapped.
     assert unpacked not in (system / "maps").read_text()
     # A map that were kept would be as large as its file at least, a hundred times; this is a tenth of that.
@@ -343,7 +343,7 @@ def test_a_solver_has_its_derivatives_and_leaves_no_thread(
         return len(list(tasks.iterdir())) if tasks.exists() else 0
 
     before = 0
-    for turn in range(3):
+    for turn in range(5):
         unit = fmpy.instantiate_fmu(unpacked, description, fmi_type="ModelExchange")
         unit.enterInitializationMode()
         unit.exitInitializationMode()
@@ -360,4 +360,5 @@ def test_a_solver_has_its_derivatives_and_leaves_no_thread(
         unit.freeInstance()
         # The host's own may come with the first call.
         before = threads() if turn == 0 else before
-    assert threads() == before
+    # One left behind each time would be four more; the host's own may have ended.
+    assert threads() <= before
