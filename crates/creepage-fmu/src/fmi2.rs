@@ -368,7 +368,7 @@ pub unsafe extern "C" fn fmi2CompletedIntegratorStep(
     unsafe { with(component, work) }
 }
 
-/// Goes on: outputs are those of the inputs. Where there are none it discards the step.
+/// Does a step: outputs follow from the inputs at once; a state without an answer is discarded.
 ///
 /// # Safety
 /// The instance is alive.

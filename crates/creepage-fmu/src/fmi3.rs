@@ -522,7 +522,7 @@ pub unsafe extern "C" fn fmi3GetOutputDerivatives(
     unsafe { with(component, |component| component.wrong("no derivatives by time")) }
 }
 
-/// Goes on: outputs are those of the inputs. Where there are none it discards the step.
+/// Does a step: outputs follow from the inputs at once; a state without an answer is discarded.
 ///
 /// # Safety
 /// The instance is alive, and places are.

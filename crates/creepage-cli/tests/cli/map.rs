@@ -134,7 +134,7 @@ fn wrong_plans_are_refused_and_nothing_is_written() {
     assert!(!place.path("map.nc").exists() && !place.path("map.nc.journal").exists());
 }
 
-/// What an FMU of the solver has no input for is named; a library that is none, too.
+/// What an FMU of the solver has no input for is named, and a file that is not the library.
 #[test]
 fn a_solver_in_an_fmu_refuses_what_its_inputs_cannot_say() {
     let place = place();

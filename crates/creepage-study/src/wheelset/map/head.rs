@@ -72,7 +72,7 @@ pub(super) fn check_ellipses(table: &Table, poisson: f64) -> Result<(), MapBuild
     Ok(())
 }
 
-/// The one coefficient of friction of both rails; .3 where there is none, for a map has all.
+/// The coefficient of friction of both rails; 0.3 where the file has no friction, for the map covers a range of it.
 fn friction(case: &WheelsetCase) -> Result<f64, MapBuildError> {
     match &case.friction {
         None => Ok(0.3),
