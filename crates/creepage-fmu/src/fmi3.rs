@@ -438,13 +438,17 @@ pub unsafe extern "C" fn fmi3GetAdjointDerivative(
         let Some((outputs, inputs)) = places(unknowns, knowns) else {
             return component.wrong(NO_DERIVATIVE);
         };
+        let mut caution = None;
         for (found, input) in found.iter_mut().zip(inputs) {
             match component.instance.derivative(&outputs, &[(input, 1.0)]) {
-                Ok(change) => *found = change.iter().zip(seed).map(|(one, by)| one * by).sum(),
+                Ok((change, words)) => {
+                    *found = change.iter().zip(seed).map(|(one, by)| one * by).sum();
+                    caution = caution.or(words);
+                }
                 Err(error) => return component.discard(&error),
             }
         }
-        OK
+        component.told(caution)
     };
     // SAFETY: as before.
     unsafe { with(component, work) }

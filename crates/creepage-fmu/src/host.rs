@@ -82,7 +82,13 @@ impl Component {
 
     /// What comes of an answer: its caution is told once.
     pub(crate) fn answered(&mut self) -> Status {
-        match self.instance.take_caution() {
+        let caution = self.instance.take_caution();
+        self.told(caution)
+    }
+
+    /// Tells a caution.
+    pub(crate) fn told(&self, caution: Option<String>) -> Status {
+        match caution {
             Some(words) => {
                 self.log.say(WARNING, &words);
                 WARNING
@@ -166,9 +172,9 @@ impl Component {
         };
         let direction: Vec<_> = inputs.into_iter().zip(seed.iter().copied()).collect();
         match self.instance.derivative(&outputs, &direction) {
-            Ok(change) => {
+            Ok((change, caution)) => {
                 found.iter_mut().zip(change).for_each(|(to, from)| *to = from);
-                OK
+                self.told(caution)
             }
             Err(error) => self.discard(&error),
         }

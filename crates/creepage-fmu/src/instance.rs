@@ -76,19 +76,19 @@ impl Instance {
     }
 
     /// Change of outputs with a direction of the inputs, by central differences: steps in parts of what each input
-    /// counts in, large beside what the search for a free roll and pitch rate leaves.
+    /// counts in, large beside what the search for a free roll and pitch rate leaves. With the caution of either state.
     pub(crate) fn derivative(
         &self,
         outputs_wanted: &[usize],
         direction: &[(usize, f64)],
-    ) -> Result<Vec<f64>, AnswerError> {
+    ) -> Result<(Vec<f64>, Option<String>), AnswerError> {
         const SCALES: [f64; INPUTS] =
             [1e-3, 1e-5, 1e-3, 1e-3, 1e4, 1.0, 1.0, 1e-2, 1e-2, 1e-2, 1e-2, 0.1];
         let size = |(place, seed): &(usize, f64)| (seed / SCALES[*place]).abs();
         let largest = direction.iter().map(size).fold(0.0, f64::max);
         // No direction, or one that is no number.
         if largest.is_nan() || largest <= 0.0 {
-            return Ok(vec![0.0; outputs_wanted.len()]);
+            return Ok((vec![0.0; outputs_wanted.len()], None));
         }
         let step = self.contacts.step() / largest;
         let at = |step: f64| {
@@ -96,11 +96,11 @@ impl Instance {
             for (place, seed) in direction {
                 inputs.reals[*place] += step * seed;
             }
-            Ok::<_, AnswerError>(self.contacts.answer(&inputs.state())?.0)
+            self.contacts.answer(&inputs.state())
         };
-        let (ahead, behind) = (at(step)?, at(-step)?);
+        let ((ahead, caution), (behind, caution_behind)) = (at(step)?, at(-step)?);
         let change = |place: &usize| (ahead[*place] - behind[*place]) / (2.0 * step);
-        Ok(outputs_wanted.iter().map(change).collect())
+        Ok((outputs_wanted.iter().map(change).collect(), caution.or(caution_behind)))
     }
 }
 
