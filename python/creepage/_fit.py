@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _creepage
+from ._contact import floats
 from ._results import Floats
 
 COLUMNS = (
@@ -77,7 +78,7 @@ def fit(
     slope: bool,
 ) -> FrictionFit:
     """Fits a case to columns by name."""
-    arrays = {name: np.asarray(values, dtype=float) for name, values in columns.items()}
+    arrays = {name: floats(name, values) for name, values in columns.items()}
     given = np.broadcast_arrays(*arrays.values())
     pairs = [(name, array.ravel().tolist()) for name, array in zip(arrays, given, strict=True)]
     text, left_out = data.fit(theory, options, pairs, slope)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from . import _creepage
 from ._case import Case
-from ._contact import number
+from ._contact import floats, number
 from ._results import Status, names
 from ._solution import SiCreepage, SiForce
 from ._toml import Source, text_of
@@ -158,7 +158,7 @@ def roll(
 
 
 def _column(name: str, values: ArrayLike) -> np.ndarray[Any, np.dtype[np.float64]]:
-    array = np.ascontiguousarray(values, dtype=np.float64)
+    array = np.ascontiguousarray(floats(f"column {name}", values))
     if array.ndim != 1:
         raise ValueError(f"column {name} must be a list of numbers, not of shape {array.shape}")
     return array

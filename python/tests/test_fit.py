@@ -53,3 +53,8 @@ def test_what_cannot_be_fitted_is_refused() -> None:
         case.fit(longitudinal=CREEPAGES, longitudinal_force=CREEPAGES * 1e6, theory="linear")
     with pytest.raises(TypeError):
         case.fit(longitudinal=CREEPAGES, longitudinal_force=CREEPAGES, no_option=1)
+    masked = np.ma.array(CREEPAGES * 1e6, mask=[True] + [False] * 11)
+    with pytest.raises(TypeError, match="longitudinal_force must not have masked"):
+        case.fit(longitudinal=CREEPAGES, longitudinal_force=masked)
+    with pytest.raises(TypeError, match="longitudinal must be real numbers"):
+        case.fit(longitudinal=["1e-3", "2e-3", "3e-3"], longitudinal_force=[1e3, 2e3, 3e3])

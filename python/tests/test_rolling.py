@@ -124,6 +124,13 @@ def test_errors_name_what_is_wrong() -> None:
         with pytest.raises((ValueError, creepage.InvalidValue), match=words):
             rolling.step(**wrong)
     assert rolling.save() == state
+    masked = np.ma.array([1e-3, 5e-3], mask=[False, True])
+    with pytest.raises(TypeError, match="column longitudinal must not have masked"):
+        creepage.roll(wheel(), {"distance": [0.01, 0.02], "longitudinal": masked})
+    with pytest.raises(TypeError, match="column distance must be real numbers"):
+        creepage.roll(wheel(), {"distance": ["0.01"]})
+    with pytest.warns(UserWarning, match="row 1: the longitudinal creepage of 1.5"):
+        creepage.roll(wheel(), {"distance": [1e-3], "longitudinal": [1.5]})
     with pytest.raises(ValueError, match="no state"):
         rolling.restore(state[:-1])
     with pytest.raises(ValueError, match="another contact"):

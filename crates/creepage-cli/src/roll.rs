@@ -36,6 +36,9 @@ pub(crate) fn run(args: &RollArgs) -> Result<Outcome, Failure> {
     for caution in &case.cautions {
         say(&format!("caution: {caution}"));
     }
+    if let Some((row, caution)) = history.caution(&case) {
+        say(&format!("caution: row {row}: {caution}"));
+    }
     let not_converged = match &args.out {
         None => to_stdout(&mut run).map_err(|error| error.placed(&args.history))?,
         Some(directory) => {

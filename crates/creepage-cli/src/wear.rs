@@ -34,7 +34,7 @@ pub(crate) fn run(args: &WearArgs) -> Result<Outcome, Failure> {
     let plan = file.wear(&case, directory).map_err(wrong)?;
     let sources = plan.sources(&case).with(&Sources::new([&args.case]));
     let state = args.out.join(Wear::STATE);
-    sources.ensure_not_overwritten(&state)?;
+    plan.ensure_not_overwritten(&args.out, &sources)?;
     let made = |source| Failure::Write { path: args.out.clone(), source };
     let is_new = !args.out.exists();
     std::fs::create_dir_all(&args.out).map_err(made)?;

@@ -125,5 +125,7 @@ pub(crate) fn roll<'py>(
         table.set_item(name, PyArray1::from_vec(py, values))?;
     }
     table.set_item("status", PyArray1::from_vec(py, statuses))?;
-    Ok((table, words(&case.cautions)))
+    let of_row = history.caution(&case).map(|(row, caution)| format!("row {row}: {caution}"));
+    let all: Vec<_> = words(&case.cautions).into_iter().chain(of_row).collect();
+    Ok((table, (!all.is_empty()).then(|| all.join("; "))))
 }

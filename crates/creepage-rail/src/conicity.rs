@@ -8,6 +8,8 @@ const PHASES: usize = 2000;
 /// Spacing of the radius difference that is integrated, linear between (m): the standard's own.
 /// Next to a jump of contact the conicity depends on it.
 const DIFFERENCE_SPACING: f64 = 1e-4;
+/// A smaller amplitude (m) swings as this one does: differences of its potential are rounding.
+const LEAST_AMPLITUDE: f64 = 0.1 * DIFFERENCE_SPACING;
 /// Rounding of the radius difference (m).
 const ROUNDING: f64 = 1e-12;
 
@@ -170,7 +172,11 @@ impl RadiusDifference {
     /// # Errors
     /// [`ConicityError`] where contact ends before, or the wheelset does not swing.
     pub fn conicity(&self, amplitude: f64) -> Result<f64, ConicityError> {
-        let [low, high] = self.turning_points(amplitude)?;
+        // Between two values the difference is a straight line, of one slope whatever the amplitude.
+        let [low, high] = self.turning_points(match amplitude {
+            small if small > 0.0 && small < LEAST_AMPLITUDE => LEAST_AMPLITUDE,
+            amplitude => amplitude,
+        })?;
         let (middle, half) = (low.midpoint(high), 0.5 * (high - low));
         let energy = self.potential_at(low).midpoint(self.potential_at(high));
         // y = middle + half sin t takes the roots out of both ends.

@@ -82,6 +82,11 @@ fn cones_have_their_own_conicity() {
         for amplitude in [0.001, 0.002, 0.003] {
             assert!((curve.conicity(amplitude).unwrap() - slope).abs() < 1e-7);
         }
+        // As small as rounding too: the slope is that of the cone.
+        for amplitude in [1e-9, 1e-7, 1e-6, 2e-6, 1e-5, 2e-5, 1e-4] {
+            let found = curve.conicity(amplitude).unwrap();
+            assert!((found - slope).abs() < 1e-6, "{amplitude} {found} {slope}");
+        }
         assert!(curve.conicity(0.005).is_err());
         // Roll by 2 slope y / e moves the contact over the wheel by its radius and the crown's.
         let rolling = running.radius_differences(0.004, None).unwrap();

@@ -145,6 +145,38 @@ fn points_that_say_nothing_are_refused_or_cautioned() {
 }
 
 #[test]
+fn numbers_in_other_units_are_told() {
+    let rows = table(8, 6e-3, 1.0, 0.0, 1);
+    let scaled = |creepage: f64, force: f64| {
+        let rows: Vec<_> =
+            rows.iter().map(|[x, fx, fy]| [creepage * x, force * fx, force * fy]).collect();
+        fit(&csv(&rows), false)
+    };
+    // Forces in kN over a load in N.
+    let found = scaled(1.0, 1e-3).unwrap();
+    assert!(found.text().contains("check the units of forces and loads"), "{}", found.text());
+    // A load in kN under forces in N.
+    assert!(matches!(scaled(1.0, 1e3), Err(FitError::BeyondFriction { share }) if share > 100.0));
+    // Creepages in per cent; as they are nothing is told.
+    let found = scaled(100.0, 1.0).unwrap();
+    assert!(found.text().contains("is above 0.3: it is a ratio"), "{}", found.text());
+    let is_of_units = |caution: &FitCaution| {
+        matches!(caution, FitCaution::Friction { .. } | FitCaution::Creepage { .. })
+    };
+    assert!(!scaled(1.0, 1.0).unwrap().cautions.iter().any(is_of_units));
+}
+
+#[test]
+fn of_three_points_none_is_left_out() {
+    let mut rows = table(3, 6e-3, 1.0, 0.0, 1);
+    rows[0][1] += 0.02;
+    let few: String = rows.iter().map(|[x, fx, _]| format!("{x:e},{fx:e}\n")).collect();
+    let measured = MeasuredPoints::read(&format!("longitudinal,longitudinal_coefficient\n{few}"));
+    let found = fit(&measured.unwrap(), false).unwrap();
+    assert!(found.points.iter().all(|point| !point.bad), "{:?}", found.points);
+}
+
+#[test]
 fn a_given_uncertainty_counts() {
     // One standard deviation up and down by turns: no point is farther off than another.
     let rows = table(12, 6e-3, 1.0, 0.0, 1);

@@ -14,7 +14,7 @@ fn wheelset() -> String {
     example("wheelset/s1002-on-uic60.toml")
 }
 
-/// The forces on both rails of a solved wheelset (N): longitudinal, lateral, vertical.
+/// The vertical forces on both rails of a solved wheelset (N).
 fn vertical(place: &Place, case: &str) -> [f64; 2] {
     let report = json(&place.run(&["wheelset", case, "--json"]).done());
     ["left", "right"].map(|side| report[side]["force"]["vertical_n"].as_f64().unwrap())
@@ -32,6 +32,84 @@ fn a_force_beyond_friction_is_told_on_wheels_and_curves() {
     place.write("case.toml", crate::place::CASE);
     let ran = place.run(&[&arguments[..], &["--vary", "longitudinal"]].concat());
     assert!(ran.stderr.contains("linear knows no slip: its force is"), "{}", ran.stderr);
+}
+
+/// A load in kN presses wheels by less than they are rough; one in N does not, nor a tenth of it.
+#[test]
+fn a_load_in_kilonewtons_is_told() {
+    let place = Place::new();
+    let axle = |load: &str| {
+        let text = example("wheelset/s1002-on-uic60.toml");
+        let own = text.lines().find(|line| line.starts_with("axle_load")).unwrap().to_owned();
+        text.replace(&own, &format!("axle_load = {load}")) + "\n[solve]\ntheory = \"saturated\"\n"
+    };
+    for (load, is_told) in [("160", true), ("160e3", false), ("16e3", false)] {
+        place.write("axle.toml", axle(load));
+        let ran = place.run(&["wheelset", "axle.toml"]);
+        let told =
+            ran.stdout.matches("into each other, less than their surfaces are rough").count();
+        // Once for each wheel.
+        assert_eq!(told, if is_told { 2 } else { 0 }, "{}", ran.stdout);
+    }
+}
+
+/// What a steel wheel flows under is told in rows and at rest, as by `solve`.
+#[test]
+fn a_metal_that_flows_is_told_by_every_door() {
+    const FLOWS: &str = "times the shear yield stress";
+    let place = Place::new();
+    let text =
+        crate::place::CASE.replace("theory = \"variational\"\ndegree = 3", "theory = \"fastsim\"");
+    place.write("case.toml", &text);
+    let rows = place.run_on(&["batch", "--case", "case.toml"], "normal_force\n80e3\n8e6\n").done();
+    let told: Vec<_> = rows.lines().skip(1).map(|row| row.contains(FLOWS)).collect();
+    assert_eq!(told, [false, true], "{rows}");
+    let standing = example("statics/wheel-standing-on-slope.toml");
+    let load = standing.lines().find(|line| line.starts_with("normal_force")).unwrap().to_owned();
+    place.write("heavy.toml", standing.replace(&load, "normal_force = 8e6"));
+    place.write("standing.toml", standing);
+    assert!(place.run(&["statics", "heavy.toml"]).stderr.contains(FLOWS));
+    assert!(!place.run(&["statics", "standing.toml"]).stderr.contains(FLOWS));
+}
+
+/// A row of a history in per cent is named.
+#[test]
+fn creepages_of_a_history_in_per_cent_are_told() {
+    let place = Place::new();
+    let text =
+        crate::place::CASE.replace("theory = \"variational\"\ndegree = 3", "theory = \"fastsim\"");
+    let text = text.replace("[creepage]\nlongitudinal = -1.5e-3\nlateral = 1e-3\nspin = 0.2\n", "");
+    place.write("case.toml", text);
+    for (value, is_told) in [("1.5", true), ("1.5e-2", false)] {
+        place.write("rows.csv", format!("distance,longitudinal\n1e-3,1e-3\n2e-3,{value}\n"));
+        let ran = place.run(&["roll", "case.toml", "--history", "rows.csv"]);
+        assert_eq!(
+            ran.stderr.contains("row 2: the longitudinal creepage of 1.5"),
+            is_told,
+            "{}",
+            ran.stderr
+        );
+    }
+}
+
+/// Nothing of an earlier run is lost where a later one could not be written; a situation has numbers.
+#[test]
+fn wear_is_refused_before_its_first_step() {
+    let place = Place::new();
+    let text = example("wear/s1002.toml");
+    place.write("case.toml", text.replace("vehicle.csv", "wear.csv"));
+    place.write("wear.csv", example("wear/vehicle.csv"));
+    place.write("wheel_left_000.json", "of an earlier run");
+    let before = place.files();
+    let words = ["wear", "case.toml", "--out", "."];
+    place.run(&words).refused(&["wear.csv would be written over what was read"]);
+    assert_eq!(place.files(), before);
+    assert_eq!(place.read("wheel_left_000.json"), "of an earlier run");
+    let table = text.lines().find(|line| line.starts_with("table")).unwrap().to_owned();
+    let situation = "[[wear.situation]]\nshare = 1\ny = nan\n\n[solve]";
+    place.write("case.toml", text.replace(&table, "").replace("[solve]", situation));
+    let words = ["wear", "case.toml", "--out", "out"];
+    place.run(&words).refused(&["[wear.situation] y", "a number"]);
 }
 
 const VEHICLE: &str = "

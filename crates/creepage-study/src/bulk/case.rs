@@ -51,6 +51,8 @@ pub struct BulkRow {
     /// Rolling velocity (m/s), where it is given.
     pub speed: Option<f64>,
     smallest_radius: Option<f64>,
+    /// Shear yield stress (Pa), where `[damage]` gives it.
+    shear_yield: Option<f64>,
     /// Whether a load presses the bodies together.
     pub touches: bool,
 }
@@ -143,7 +145,8 @@ impl BulkCase {
         let PressedBodies { hertz, contact, speed, .. } = sections.touching_by(hertz)?;
         let creepage = sections.creepage.resolve(contact.scaling())?;
         let smallest_radius = sections.smallest_radius();
-        Ok(BulkRow { hertz, contact, creepage, speed, smallest_radius, touches })
+        let shear_yield = self.damage.as_ref().map(|damage| damage.constants.shear_yield);
+        Ok(BulkRow { hertz, contact, creepage, speed, smallest_radius, shear_yield, touches })
     }
 }
 
@@ -169,13 +172,18 @@ impl BulkRow {
         BulkQuery { contact, creepage, touches }
     }
 
-    /// What looks like a number in another unit.
+    /// What looks like a number in another unit, and a metal that flows.
     #[must_use]
     pub fn cautions(&self) -> Vec<Caution> {
         if !self.touches {
             return Vec::new();
         }
         let creepage = self.contact.scaling().si_creepage(self.creepage);
-        Caution::units(&self.hertz, self.smallest_radius, creepage)
+        let mut cautions = Caution::units(&self.hertz, self.smallest_radius, creepage);
+        let (peak, modulus) = (self.hertz.peak_pressure(), self.hertz.pair().shear_modulus());
+        if !cautions.iter().any(Caution::is_of_units) {
+            cautions.extend(Caution::yields(peak, modulus, self.shear_yield));
+        }
+        cautions
     }
 }

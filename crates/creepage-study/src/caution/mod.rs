@@ -189,6 +189,13 @@ pub enum Caution {
         /// The load (N).
         load: f64,
     },
+    /// A wheel is pressed on its rail by less than both are rough: its load may be in another unit.
+    Shallow {
+        /// The approach (m).
+        approach: f64,
+        /// The wheel's load (N).
+        load: f64,
+    },
     /// A part of a rail begins or ends within a contact.
     CutPatch,
     /// A contact lies beyond the first or the last slice of a rail.
@@ -260,6 +267,8 @@ impl Caution {
     const MISSED: f64 = 1e-3;
     /// Approach (m) beyond that of any elastic contact of a wheel: 1 MN on a wheel gives .5 mm.
     const DEEP: f64 = 1e-3;
+    /// Approach (m) below which running surfaces, rough by some micrometres, touch at their crests alone.
+    const SHALLOW: f64 = 2e-6;
 
     /// Peclet number below which temperatures are a caution.
     pub const PECLET: f64 = 5.0;
@@ -291,6 +300,11 @@ impl Caution {
     pub(crate) fn deep(normal: &NormalContact) -> Option<Self> {
         let (approach, load) = (normal.approach().value, normal.load().value);
         (approach > Self::DEEP).then_some(Self::Deep { approach, load })
+    }
+
+    /// A wheel under `load` (N) that is pressed on its rail by no more than both are rough.
+    pub(crate) fn shallow(approach: f64, load: f64) -> Option<Self> {
+        (approach > 0.0 && approach < Self::SHALLOW).then_some(Self::Shallow { approach, load })
     }
 
     /// Of a wheel a large creepage says that it spins or is locked.

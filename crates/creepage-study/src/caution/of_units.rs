@@ -70,7 +70,7 @@ impl Caution {
     /// Combined shear modulus (Pa) above which both bodies are harder than diamond (535e9).
     const DIAMOND: f64 = 600e9;
     /// Coefficient of friction above which it is a caution: clean metals in air and rubber stay below.
-    pub(super) const FRICTION: f64 = 2.0;
+    pub(crate) const FRICTION: f64 = 2.0;
 
     /// A pressure (Pa) above the shear modulus (Pa), or a modulus above that of any solid.
     pub(crate) fn moduli(peak_pressure: f64, shear_modulus: f64) -> impl Iterator<Item = Self> {

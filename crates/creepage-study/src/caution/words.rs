@@ -24,6 +24,7 @@ impl fmt::Display for Caution {
             | Self::GuardApart { .. }
             | Self::LoadMissed { .. }
             | Self::Deep { .. }
+            | Self::Shallow { .. }
             | Self::Groove { .. }
             | Self::Slides { .. } => self.write_of_bodies(f),
             Self::Status(Status::NotConverged) => {
@@ -185,6 +186,13 @@ impl Caution {
                  wheel and a rail",
                 significant(1e3 * approach, 3),
                 quantity(load, "N", 3)
+            ),
+            Self::Shallow { approach, load } => write!(
+                f,
+                "the load of {} presses wheel and rail {} µm into each other, less than their surfaces are \
+                 rough: loads are in N",
+                quantity(load, "N", 3),
+                significant(1e6 * approach, 2)
             ),
             Self::Groove { slip, share } => write!(
                 f,

@@ -2,13 +2,14 @@
 
 use std::io::{self, Read};
 
-use creepage::InvalidValue;
 use creepage::unsteady::{Motion, Prescribed};
+use creepage::{InvalidValue, SiCreepage};
 
 use super::case::{RollCase, over};
 use super::error::{HistoryError, MotionError};
 use super::roller::HistoryMotion;
 use crate::case::keys::similar;
+use crate::caution::Caution;
 use crate::separator::Separator;
 
 /// Row of a history: a distance, and the motion of the bodies up to it from that of the row before.
@@ -102,6 +103,23 @@ impl History {
             rows.push(&values)?;
         }
         rows.whole()
+    }
+}
+
+impl History {
+    /// The first row, from one, with a creepage that no wheel has: it may be in per cent or in degrees.
+    #[must_use]
+    pub fn caution(&self, case: &RollCase) -> Option<(usize, Caution)> {
+        let si = |component: Prescribed| match component {
+            Prescribed::Creepage(creepage) => creepage * case.scaling.slip,
+            Prescribed::Force(_) => 0.0,
+        };
+        self.rows.iter().enumerate().find_map(|(index, row)| {
+            let Motion { longitudinal, lateral, .. } = row.motion.motion;
+            let [longitudinal, lateral] = [longitudinal, lateral].map(si);
+            let caution = Caution::large_creepage(SiCreepage { longitudinal, lateral, spin: 0.0 });
+            Some((index + 1, caution.into_iter().next()?))
+        })
     }
 }
 

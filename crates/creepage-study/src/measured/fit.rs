@@ -8,7 +8,7 @@ use super::fitted::{Fit, FitCaution, FitError, FitOptions, Fitted, FittedCurve, 
 use super::least_squares::{Minimum, minimize, robust_deviation, student_95};
 use super::model::{Model, Predicted};
 use super::points::MeasuredPoints;
-use crate::AnyCaseFile;
+use crate::{AnyCaseFile, Caution};
 
 /// Largest measured force over the normal force, times these, is where friction is looked for: below
 /// one for the sake of bad points, far above it for points without slip.
@@ -27,6 +27,8 @@ const LEAST_DEVIATION: f64 = 2e-3;
 /// A parameter that changes the residuals by less than this part of the forces is not determined:
 /// the differences are rounding.
 const NO_INFLUENCE: f64 = 1e-5;
+/// Coefficients of friction that dry bodies have: superlubricity lies below, no pair of bodies above.
+const FRICTION: [f64; 2] = [1e-3, Caution::FRICTION];
 /// A relative standard error above which a number is hardly one.
 const MAX_RELATIVE_ERROR: f64 = 0.25;
 
@@ -103,6 +105,11 @@ impl Fit {
         let top = over_load.fold(0.0, f64::max);
         if top == 0.0 {
             return Err(FitError::NoForce);
+        }
+        let slips =
+            |si: &SiCreepage| [si.longitudinal, si.lateral, si.spin].iter().any(|c| *c != 0.0);
+        if !model.creepages.iter().any(slips) {
+            return Err(FitError::NoCreepage);
         }
         let least = if has_uncertainty { 1.0 } else { LEAST_DEVIATION * top };
         let used = vec![true; forces.len()];
@@ -205,6 +212,16 @@ impl Fit {
                 cautions.push(FitCaution::Hardly { what, part });
             }
         }
+        let [least, most] = FRICTION;
+        let value = self.friction.value;
+        if !(least..=most).contains(&value) {
+            cautions.push(FitCaution::Friction { value });
+        }
+        let large = self.points.iter().find_map(|point| {
+            let caution = Caution::large_creepage(point.creepage).next()?;
+            Some(FitCaution::Creepage { row: point.row, caution })
+        });
+        cautions.extend(large);
         if self.reached < NEAR_SLIDING {
             cautions.push(FitCaution::FarFromSliding { share: self.reached });
         }
@@ -300,7 +317,13 @@ fn settle(
             .collect();
         let limit = BAD * robust_deviation(&counting, least);
         let belongs = |residuals: &Vec<f64>| residuals.iter().all(|r| r.abs() <= limit);
-        let used: Vec<_> = found.iter().map(belongs).collect();
+        let mut used: Vec<_> = found.iter().map(belongs).collect();
+        let left: usize =
+            found.iter().zip(&used).map(|(r, used)| if *used { r.len() } else { 0 }).sum();
+        if left < at.len() + 2 {
+            // Of so few none can be told from the others.
+            used.fill(true);
+        }
         let is_settled = used == problem.used;
         problem.used = used;
         let minimum = minimize(&mut |at: &[f64]| problem.residuals(at), at, None)?;
@@ -335,6 +358,9 @@ fn check(problem: &mut Problem, found: Minimum, top: f64) -> Result<Minimum, Fit
         if along < 0.0 {
             let why = "forces have the sign opposite to that of the theory: they are to be those on the lower body";
             return Err(FitError::Undetermined { what: "mu", why });
+        }
+        if top > Caution::FRICTION {
+            return Err(FitError::BeyondFriction { share: top });
         }
         let why = "they lie so far below sliding that any larger value fits as well";
         return Err(FitError::Undetermined { what: "mu", why });

@@ -5,7 +5,7 @@ use std::fmt;
 use creepage::theory::TheoryError;
 use creepage::{InvalidValue, SiCreepage, Status};
 
-use crate::{GapCaseError, RowError};
+use crate::{Caution, GapCaseError, RowError};
 
 /// Error of a fit.
 #[derive(Debug, thiserror::Error)]
@@ -49,6 +49,18 @@ pub enum FitError {
     /// All forces are zero.
     #[error("all measured forces are zero: they say nothing of friction")]
     NoForce,
+    /// No friction carries such forces.
+    #[error(
+        "the measured forces are up to {share:.3} times the normal force, more than any friction: check the units of \
+         both (N)"
+    )]
+    BeyondFriction {
+        /// The largest force over its normal force.
+        share: f64,
+    },
+    /// No point slips.
+    #[error("all creepages are zero: such points say nothing of friction")]
+    NoCreepage,
     /// Any value fits.
     #[error("the points do not determine {what}: {why}")]
     Undetermined {
@@ -120,6 +132,18 @@ pub enum FitCaution {
         /// Its relative standard error.
         part: f64,
     },
+    /// No dry bodies have that coefficient of friction.
+    Friction {
+        /// The coefficient.
+        value: f64,
+    },
+    /// A creepage that no wheel has.
+    Creepage {
+        /// The row.
+        row: usize,
+        /// What it looks like.
+        caution: Caution,
+    },
     /// No point comes near the largest force.
     FarFromSliding {
         /// The largest force over `mu N`.
@@ -153,6 +177,12 @@ impl fmt::Display for FitCaution {
                     100.0 * part
                 )
             }
+            Self::Friction { value } => write!(
+                f,
+                "mu = {value:.2e} is {} than any two bodies have: check the units of forces and loads (N)",
+                if *value < 1.0 { "less" } else { "more" }
+            ),
+            Self::Creepage { row, caution } => write!(f, "row {row}: {caution}"),
             Self::FarFromSliding { share } => write!(
                 f,
                 "no point comes near sliding (at most {share:.2} of mu N): mu rests on the bend of the \

@@ -95,6 +95,10 @@ fn cautions<'a>(
     for wheel in solved.wheels() {
         let missed = Caution::load_missed(wheel.on_rail().force[2], wheel.missed_load);
         all.extend(missed.map(|missed| (wheel.side, missed)));
+        let approaches = wheel.contacts().iter().map(|contact| contact.normal.approach().value);
+        let load = wheel.contacts().iter().map(SolvedContact::load).sum();
+        let shallow = Caution::shallow(approaches.fold(0.0, f64::max), load);
+        all.extend(shallow.map(|shallow| (wheel.side, shallow)));
         let clearance = wheel.guard_clearance.filter(|clearance| *clearance > 0.0);
         all.extend(clearance.map(|clearance| (wheel.side, Caution::GuardApart { clearance })));
         for (k, contact) in wheel.contacts().iter().enumerate() {

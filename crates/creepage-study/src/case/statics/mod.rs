@@ -8,7 +8,7 @@ use creepage::statics::{
     Bonded, Compression, Die, PartialSlip, PartialSlipError, ShearError, ShearedRectangle,
     ShiftAxis, ShiftEnd, ShiftPath,
 };
-use creepage::{Ellipse, Hertz, Layer, SiCreepage, SiForce, Solid, SolidPair, Status};
+use creepage::{Ellipse, Hertz, Layer, SiForce, Solid, SolidPair, Status};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
@@ -208,7 +208,7 @@ impl StaticsFile {
         Ok(StaticsCase { cautions: self.cautions(&problem), problem })
     }
 
-    /// What looks like a number in another unit.
+    /// What looks like a number in another unit, and a metal that flows.
     fn cautions(&self, problem: &StaticsProblem) -> Vec<Caution> {
         let mut unlike = None;
         let (upper, hertz) = match (problem, &self.upper) {
@@ -240,7 +240,7 @@ impl StaticsFile {
             (_, None) => return Vec::new(),
         };
         let radius = smallest_radius([upper, &self.lower]);
-        let mut all = Caution::units(&hertz, radius, SiCreepage::default());
+        let mut all = Caution::of_hertz(&hertz, radius);
         all.extend(unlike);
         all
     }

@@ -123,10 +123,15 @@ impl WearStop {
             let profile = Profile::through(body.role(), &worn.points, &worn.corners)
                 .map_err(|source| WearError::Profile { body: body.name(), source })?;
             let text = file::write(&profile, Format::Json, 1.0);
-            files.push((format!("{}_{number:03}.json", body.name()), text.into_bytes()));
+            files.push((profile_name(body, number), text.into_bytes()));
         }
         Ok(files)
     }
+}
+
+/// The file of a body's profile at a stop.
+fn profile_name(body: WornBody, number: usize) -> String {
+    format!("{}_{number:03}.json", body.name())
 }
 
 impl Wear {
@@ -272,6 +277,25 @@ impl Wear {
 }
 
 impl WearPlan {
+    /// Checks that no result of a run into `directory` would stand where one of `sources` is, before it begins.
+    ///
+    /// # Errors
+    /// [`ReportError::OverSource`].
+    pub fn ensure_not_overwritten(
+        &self,
+        directory: &Path,
+        sources: &Sources,
+    ) -> Result<(), ReportError> {
+        let tables = ["wear.csv", "profiles.csv", "report.json", Wear::STATE].map(str::to_owned);
+        let pictures = [Role::Wheel, Role::Rail].into_iter().flat_map(|role| {
+            ["s.svg", "s.png", "s-moving.png"].map(|ending| format!("{role}{ending}"))
+        });
+        let profiles = (0..=self.stops as usize)
+            .flat_map(|number| WornBody::ALL.map(|body| profile_name(body, number)));
+        let mut names = tables.into_iter().chain(pictures).chain(profiles);
+        names.try_for_each(|name| sources.ensure_not_overwritten(&directory.join(name)))
+    }
+
     /// The files that it and its wheelset were read from.
     #[must_use]
     pub fn sources(&self, case: &WheelsetCase) -> Sources {

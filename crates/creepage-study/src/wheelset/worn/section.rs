@@ -251,7 +251,10 @@ impl WearSection {
             }
             Some(path) => read_table(path)?,
             None if self.situation.is_empty() => vec![WearSituation::own()],
-            None => self.situation.iter().map(SituationSection::situation).collect(),
+            None => {
+                let situations = self.situation.iter().map(SituationSection::situation);
+                situations.collect::<Result<_, _>>()?
+            }
         };
         if let Some(spread) = &self.spread {
             situations = spread.over(&situations, case)?;
@@ -399,7 +402,7 @@ impl WearSituation {
 }
 
 impl SituationSection {
-    fn situation(&self) -> WearSituation {
+    fn situation(&self) -> Result<WearSituation, WearError> {
         let mut situation = WearSituation { share: self.share, ..WearSituation::own() };
         let given = [
             ("y", self.y),
@@ -419,10 +422,10 @@ impl SituationSection {
         ];
         for (column, value) in given {
             if let (Some(place), Some(value)) = (situation.number(column), value) {
-                *place = value;
+                *place = checked("wear.situation", column, value, !value.is_nan(), "a number")?;
             }
         }
-        situation
+        Ok(situation)
     }
 }
 
