@@ -57,6 +57,9 @@ def test_the_conicity_of_wheels_on_their_flanges_warns() -> None:
     with pytest.warns(UserWarning, match="wheel: the flange rides on the rail"):
         found = s1002(axle_load=200e3, back_to_back=1.45).conicity(3e-3)
     assert np.isfinite(found)
+    # As far as a wheelset swings, too: at 20 mm the flange lies on the rail.
+    with pytest.warns(UserWarning, match="wheel: the flange rides on the rail"):
+        s1002(axle_load=200e3).conicity([3e-3, 20e-3])
 
 
 def test_a_table_is_the_forces_at_its_places() -> None:

@@ -14,7 +14,7 @@ pub(crate) fn run(args: &ConicityArgs) -> Result<Outcome, Failure> {
     let case = read(&args.case)?;
     let difference = case.radius_difference(args.roll).map_err(wrong)?;
     case.notes.iter().for_each(say_found);
-    for words in case.conicity_caution_words(&difference, args.roll) {
+    for words in case.conicity_caution_words(&difference, args.roll, 0.0) {
         say(&format!("caution: {words}"));
     }
     let radii = radius_difference_csv(&difference);

@@ -260,8 +260,11 @@ impl WheelsetData {
         let found = detached(py, || self.case.radius_difference(rolls))?;
         let difference = found.map_err(|error| errors::wheelset(py, error))?;
         let at = |amplitude: &f64| difference.conicity(*amplitude).unwrap_or(f64::NAN);
-        let words = self.case.conicity_caution_words(&difference, rolls);
-        Ok((amplitudes.iter().map(at).collect(), words))
+        let found: Vec<f64> = amplitudes.iter().map(at).collect();
+        let swings = amplitudes.iter().zip(&found).filter(|(_, found)| !found.is_nan());
+        let largest = swings.map(|(amplitude, _)| *amplitude).fold(0.0, f64::max);
+        let words = self.case.conicity_caution_words(&difference, rolls, largest);
+        Ok((found, words))
     }
 }
 

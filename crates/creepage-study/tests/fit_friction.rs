@@ -154,12 +154,13 @@ fn numbers_in_other_units_are_told() {
     };
     // Forces in kN over a load in N.
     let found = scaled(1.0, 1e-3).unwrap();
-    assert!(found.text().contains("check the units of forces and loads"), "{}", found.text());
+    let words = |fit: &Fit| fit.cautions.iter().map(ToString::to_string).collect::<String>();
+    assert!(words(&found).contains("check the units of forces and loads"), "{}", found.text());
     // A load in kN under forces in N.
     assert!(matches!(scaled(1.0, 1e3), Err(FitError::BeyondFriction { share }) if share > 100.0));
     // Creepages in per cent; as they are nothing is told.
     let found = scaled(100.0, 1.0).unwrap();
-    assert!(found.text().contains("is above 0.3: it is a ratio"), "{}", found.text());
+    assert!(words(&found).contains("is above 0.3: it is a ratio"), "{}", found.text());
     let is_of_units = |caution: &FitCaution| {
         matches!(caution, FitCaution::Friction { .. } | FitCaution::Creepage { .. })
     };

@@ -152,7 +152,7 @@ fn conicity_names_rough_profiles() {
         // Contact of S1002 on UIC60 ends some 8 mm off the centre, where the flange climbs.
         let [from, to] = difference.range();
         assert!(from < -7.5e-3 && to > 7.5e-3, "{from} {to}");
-        (case.conicity_cautions(&difference, false), difference.conicity(3e-3).unwrap())
+        (case.conicity_cautions(&difference, false, 0.0), difference.conicity(3e-3).unwrap())
     };
     let (noisy, _) = found(&measured(5e-6, 1, None));
     assert_eq!(noisy.len(), 2, "{noisy:?}");
@@ -172,7 +172,7 @@ fn conicity_names_wheels_on_their_flanges() {
         example("s1002-on-uic60.toml").replace("back_to_back = 1.360", "back_to_back = 1.45");
     let case = WheelsetFile::read(&text).unwrap().case(&examples()).unwrap();
     let difference = case.radius_difference(false).unwrap();
-    let cautions = case.conicity_cautions(&difference, false);
+    let cautions = case.conicity_cautions(&difference, false, 0.0);
     let rides = |side: Side| {
         let mut own = cautions.iter().filter(|(of, _)| *of == side);
         own.any(|(_, caution)| matches!(caution, Caution::Climbs { height } if *height > 20e-3))

@@ -151,7 +151,8 @@ impl From<Roughness> for Caution {
 }
 
 impl WheelsetCase {
-    /// What is odd about a conicity: wheels that stand on their flanges in the middle of the track, and profiles that are
+    /// What is odd about a conicity: wheels that stand on their flanges in the middle of the track or `amplitude` (m) to
+    /// either side, and profiles that are
     /// rough where wheel and rail touch, as of [`rough_profiles`]; in steel where no materials are given. `rolls` as for
     /// [`WheelsetCase::radius_difference`].
     #[must_use]
@@ -159,10 +160,13 @@ impl WheelsetCase {
         &self,
         difference: &RadiusDifference,
         rolls: bool,
+        amplitude: f64,
     ) -> Vec<(Side, Caution)> {
         let climbs = |side| {
-            let touch = self.running.touch(side, 0.0, 0.0, 0.0).ok()?;
-            Some((side, Caution::climbs(-touch.z)?))
+            [0.0, -amplitude, amplitude].into_iter().find_map(|y| {
+                let touch = self.running.touch(side, y, 0.0, 0.0).ok()?;
+                Some((side, Caution::climbs(-touch.z)?))
+            })
         };
         let mut all: Vec<_> = [Side::Left, Side::Right].into_iter().filter_map(climbs).collect();
         let steel = || Solid::new(82e9, 0.28).map(|solid| SolidPair::new(solid, solid));
@@ -178,7 +182,8 @@ impl WheelsetCase {
         &self,
         difference: &RadiusDifference,
         rolls: bool,
+        amplitude: f64,
     ) -> Vec<String> {
-        words(&self.conicity_cautions(difference, rolls))
+        words(&self.conicity_cautions(difference, rolls, amplitude))
     }
 }
