@@ -171,7 +171,8 @@ fn numbers_in_other_units_are_told() {
 fn of_three_points_none_is_left_out() {
     let mut rows = table(3, 6e-3, 1.0, 0.0, 1);
     rows[0][1] += 0.02;
-    let few: String = rows.iter().map(|[x, fx, _]| format!("{x:e},{fx:e}\n")).collect();
+    let few: Vec<_> = rows.iter().map(|[x, fx, _]| format!("{x:e},{fx:e}\n")).collect();
+    let few = few.concat();
     let measured = MeasuredPoints::read(&format!("longitudinal,longitudinal_coefficient\n{few}"));
     let found = fit(&measured.unwrap(), false).unwrap();
     assert!(found.points.iter().all(|point| !point.bad), "{:?}", found.points);

@@ -103,6 +103,7 @@ impl Caution {
                 | Self::HighModulus { .. }
                 | Self::LargeFriction { .. }
                 | Self::LargeCreepage { .. }
+                | Self::Shallow { .. }
         )
     }
 }

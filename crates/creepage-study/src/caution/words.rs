@@ -24,7 +24,6 @@ impl fmt::Display for Caution {
             | Self::GuardApart { .. }
             | Self::LoadMissed { .. }
             | Self::Deep { .. }
-            | Self::Shallow { .. }
             | Self::Groove { .. }
             | Self::Slides { .. } => self.write_of_bodies(f),
             Self::Status(Status::NotConverged) => {
@@ -99,6 +98,7 @@ impl fmt::Display for Caution {
             | Self::HighPressure { .. }
             | Self::HighModulus { .. }
             | Self::LargeFriction { .. }
+            | Self::Shallow { .. }
             | Self::LargeCreepage { .. } => self.write_units(f),
         }
     }
@@ -186,13 +186,6 @@ impl Caution {
                  wheel and a rail",
                 significant(1e3 * approach, 3),
                 quantity(load, "N", 3)
-            ),
-            Self::Shallow { approach, load } => write!(
-                f,
-                "the load of {} presses wheel and rail {} µm into each other, less than their surfaces are \
-                 rough: loads are in N",
-                quantity(load, "N", 3),
-                significant(1e6 * approach, 2)
             ),
             Self::Groove { slip, share } => write!(
                 f,
@@ -305,6 +298,13 @@ impl Caution {
                 "the coefficient of friction of {} is above {}: it is a ratio of forces, not per cent",
                 significant(friction, 4),
                 Self::FRICTION
+            ),
+            Self::Shallow { approach, load } => write!(
+                f,
+                "the load of {} presses wheel and rail {} µm into each other, less than their surfaces are \
+                 rough: loads are in N",
+                quantity(load, "N", 3),
+                significant(1e6 * approach, 2)
             ),
             Self::LargeCreepage { component, value } => write!(
                 f,
