@@ -314,7 +314,8 @@ class Case:
 
         Points that do not belong to the others are left out, and AccuracyWarning names them; so it does
         elements without a finite number. Raises ValueError for too few points and for points that say
-        nothing of friction, CaseError where the case wants forces, and as theory.
+        nothing of friction, TypeError for other values than numbers and for masked elements, CaseError
+        where the case wants forces, and as theory.
         """
         columns = {name: given.pop(name) for name in COLUMNS if name in given}
         columns = {name: value for name, value in columns.items() if value is not None}

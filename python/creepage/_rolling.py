@@ -137,7 +137,8 @@ def roll(
     `eta`, `chi`, or a force, `longitudinal_force`, `lateral_force` (N), `moment` (N m). A row's
     motion acts from the distance of the row before, or zero, to its own. Gives arrays named as the
     columns of `history.csv`. Raises CaseError, InvalidValue and ValueError, which name column and
-    row; warns where rows did not converge, and of what the contact is in doubt for.
+    row, and TypeError for other values than numbers and for masked elements; warns where rows did
+    not converge, of the first row with a creepage above .3, and of what the contact is in doubt for.
     """
     columns = [(str(name), _column(str(name), values)) for name, values in history.items()]
     if len({values.size for _, values in columns}) > 1:

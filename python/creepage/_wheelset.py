@@ -379,8 +379,8 @@ class Wheelset(FromFile):
 
     def conicity(self, amplitude: ArrayLike, *, roll: bool = False) -> Floats:
         """Equivalent conicity of EN 15302 at amplitudes (m), half of y_max - y_min; NaN where
-        there is none. Warns where wheels stand on their flanges, up to the largest amplitude, and of
-        rough profiles."""
+        contact ends before or nothing steers. Warns where wheels stand on their flanges, up to the
+        largest amplitude, and of rough profiles."""
         amplitudes = floats("amplitude", amplitude)
         found, cautions = self._data.conicity(amplitudes.ravel().tolist(), roll)
         for words in cautions:

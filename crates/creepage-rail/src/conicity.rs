@@ -8,7 +8,7 @@ const PHASES: usize = 2000;
 /// Spacing of the radius difference that is integrated, linear between (m): the standard's own.
 /// Next to a jump of contact the conicity depends on it.
 const DIFFERENCE_SPACING: f64 = 1e-4;
-/// A smaller amplitude (m) swings as this one does: differences of its potential are rounding.
+/// The conicity of a smaller amplitude (m) is that of this one: differences of its potential are rounding errors.
 const LEAST_AMPLITUDE: f64 = 0.1 * DIFFERENCE_SPACING;
 /// Rounding of the radius difference (m).
 const ROUNDING: f64 = 1e-12;

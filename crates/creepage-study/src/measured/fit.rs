@@ -321,7 +321,7 @@ fn settle(
         let left: usize =
             found.iter().zip(&used).map(|(r, used)| if *used { r.len() } else { 0 }).sum();
         if left < at.len() + 2 {
-            // Of so few none can be told from the others.
+            // Too few would be left to tell a bad point by.
             used.fill(true);
         }
         let is_settled = used == problem.used;

@@ -117,7 +117,7 @@ pub(super) fn step(
     let (first, solved) = Rates::new(case, plan, &run.bodies, (reached(run.part), &[]))?;
     let greatest = first.greatest;
     let allowed = stable(case, plan, first.peak);
-    // A step that the end of the way cuts shorter still is none of these.
+    // Stability cuts the step, unless the distance ends before.
     if allowed < run.trial && greatest * (target - run.part) > allowed {
         run.cut += 1;
     }
