@@ -108,7 +108,7 @@ def number(name: str, value: object) -> None:
             "are Case.force(...) and creepage.batch(...)"
         )
     if isinstance(value, bool) or not isinstance(value, (int, float, np.number, np.ndarray)):
-        raise TypeError(f"{name} must be a number, not {type(value).__name__}")
+        raise TypeError(f"{name} must be a number, got {value!r}")
 
 
 def sections(upper: Body, lower: Body, contact: Mapping[str, Any]) -> dict[str, dict[str, Any]]:

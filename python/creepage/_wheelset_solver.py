@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _creepage
-from ._contact import floats
+from ._contact import floats, number
 from ._results import Floats
 
 _ASKED = (
@@ -259,13 +259,10 @@ def _mean(rates: Floats) -> Floats:
 def _number(name: str, value: float | None) -> float:
     if value is None:
         return math.nan
-    try:
-        number = float(value)
-    except (TypeError, ValueError):
-        raise TypeError(f"{name} must be a number, got {value!r}") from None
-    if not math.isfinite(number):
-        raise ValueError(f"{name} must be finite, got {number}")
-    return number
+    number(name, value)
+    if not math.isfinite(value):
+        raise ValueError(f"{name} must be finite, got {value}")
+    return float(value)
 
 
 def _patch(report: dict[str, Any]) -> Patch:

@@ -88,8 +88,8 @@ impl BallBearing {
         check("density", self.density, is_positive(self.density), positive)?;
         check("friction", self.friction, is_positive(self.friction), positive)?;
         let pitch = self.pitch_diameter;
-        let valid = "finite and larger than the ball's diameter";
-        check("pitch diameter", pitch, pitch > self.ball_diameter && pitch.is_finite(), valid)?;
+        let valid = "above the ball's diameter, at most 20 m";
+        check("pitch diameter", pitch, pitch > self.ball_diameter && pitch <= 20.0, valid)?;
         let (count, room) = (self.balls as f64, PI / (self.ball_diameter / pitch).asin());
         check(
             "balls",

@@ -29,6 +29,19 @@ pub enum BearingError {
     /// No displacement of the rings carries the load.
     #[error("no displacement of the rings was found at which the balls carry the load")]
     LoadNotFound,
+    /// A contact wider than the ball, of which no motion was found.
+    #[error(
+        "ball at {azimuth:.4} rad: its contact has a semi-axis of {half_width:.3} m, more than its radius of {radius:.3} m: \
+         check the units of moduli, lengths and loads (Pa, m, N)"
+    )]
+    LargeContact {
+        /// Its place (rad).
+        azimuth: f64,
+        /// Half the width of the wider contact (m).
+        half_width: f64,
+        /// Radius of the ball (m).
+        radius: f64,
+    },
     /// No motion of a ball at which friction balances it.
     #[error(
         "ball at {azimuth:.4} rad: no motion was found at which friction balances its gyroscopic moment of \

@@ -225,6 +225,10 @@ impl Ball<'_> {
             }
             found = at;
         }
+        // The true cause comes first: an area as wide as the ball has no motion.
+        if left > ACCEPTED && width > half {
+            return Err(BearingError::LargeContact { azimuth: self.azimuth, half_width: width, radius: half });
+        }
         let motion = motion_of(&found);
         let (gyroscopic, most) = (self.gyroscopic(&motion), bound * half);
         if left > ACCEPTED && gyroscopic.abs() > 0.9 * most {

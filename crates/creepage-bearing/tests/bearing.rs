@@ -234,6 +234,15 @@ fn what_is_wrong_is_named() {
     let error =
         large.solve(&axial(1e3, 0.0, Control::Balance), BearingTheory::Sliding).unwrap_err();
     assert!(error.to_string().contains("at most 1 m"), "{error}");
+    let far = BallBearing { pitch_diameter: 60.0, ..like_7208() };
+    let error = far.solve(&axial(1e3, 0.0, Control::Balance), BearingTheory::Sliding).unwrap_err();
+    assert!(error.to_string().contains("at most 20 m"), "{error}");
+    // Moduli in MPa, at rest and at speed: friction is not the cause.
+    let soft = Solid::new(80e3, 0.3).unwrap();
+    let soft = BallBearing { ball: soft, rings: [soft; 2], ..like_7208() };
+    let at_speed = axial(1e3, 3000.0, Control::Balance);
+    let error = soft.solve(&at_speed, BearingTheory::Sliding).unwrap_err();
+    assert!(matches!(error, BearingError::LargeContact { .. }), "{error}");
     let crowded = BallBearing { balls: 30, ..like_7208() };
     let error =
         crowded.solve(&axial(1e3, 0.0, Control::Balance), BearingTheory::Sliding).unwrap_err();

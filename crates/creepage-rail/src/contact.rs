@@ -5,7 +5,7 @@ use crate::meeting::{Meeting, Overlap, WheelRailPair};
 use crate::search::least;
 use crate::surfaces::{Foot, Surfaces};
 use crate::varying_contact::VaryingSurfaces;
-use crate::{GeometryError, Role, Side, Waves};
+use crate::{GeometryError, Profile, Role, Side, Waves};
 
 /// Points at which an overlap is weighed.
 const OVERLAP_POINTS: usize = 64;
@@ -177,7 +177,20 @@ impl<'a> Contact<'a> {
     /// that turn it by more than `least` (rad) to and fro; `None` without a whole one.
     #[must_use]
     pub fn waves(&self, role: Role, stretch: [f64; 2], least: f64) -> Option<Waves> {
-        // Of slices there is no one profile.
+        let (profile, stretch) = self.profile_along(role, stretch)?;
+        Waves::of(profile.curve(), stretch, least)
+    }
+
+    /// [`Profile::unmeasured`] of the wheel or the rail from `s` to `s` (m) of the contact plane, nearly.
+    #[must_use]
+    pub fn unmeasured(&self, role: Role, stretch: [f64; 2]) -> Option<f64> {
+        let (profile, stretch) = self.profile_along(role, stretch)?;
+        profile.unmeasured(stretch)
+    }
+
+    /// The profile, and where on it (arc lengths, m) a stretch of the contact plane lies. Of slices there is no one
+    /// profile.
+    fn profile_along(&self, role: Role, stretch: [f64; 2]) -> Option<(&Profile, [f64; 2])> {
         let WheelRailPair { posed, rail, .. } = &self.surfaces.pair;
         if posed.wheel.slices().or(rail.slices()).is_some() {
             return None;
@@ -187,16 +200,15 @@ impl<'a> Contact<'a> {
         match role {
             Role::Rail => {
                 let at = self.surfaces.frame.rail_s();
-                Waves::of(self.surfaces.pair.rail.profile().curve(), [at + low, at + high], least)
+                Some((rail.profile(), [at + low, at + high]))
             }
             Role::Wheel => {
                 let at = match &self.varying {
                     Some(over) => over.wheel_parameter(),
                     None => self.surfaces.at(0.0)?.0.along(),
                 };
-                let wheel = self.surfaces.pair.posed.wheel;
                 // Its arc length falls as `s` grows.
-                Waves::of(wheel.profile().curve(), [at - high, at - low], least)
+                Some((posed.wheel.profile(), [at - high, at - low]))
             }
         }
     }

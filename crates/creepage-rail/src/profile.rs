@@ -29,6 +29,8 @@ impl fmt::Display for Role {
 pub struct Profile {
     role: Role,
     curve: Curve,
+    /// Stretches without points (arc lengths, m), of a profile through points.
+    unmeasured: Vec<[f64; 2]>,
 }
 
 /// Error of curves that are no profile.
@@ -75,6 +77,16 @@ pub enum ProfileError {
 /// Heights that differ by less are level (m).
 const LEVEL: f64 = 1e-4;
 
+/// Spacing of points (m) beyond which a stretch is not measured: 5 mm, and eight times the median.
+pub(crate) fn longest_spacing(spacings: &[f64]) -> f64 {
+    const LONG: f64 = 5e-3;
+    const TIMES: f64 = 8.0;
+    let mut sorted = spacings.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let median = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+    LONG.max(TIMES * median)
+}
+
 impl Profile {
     /// A profile from its curve.
     ///
@@ -84,7 +96,7 @@ impl Profile {
         let (from, to) = (curve.at(0.0).y, curve.before(curve.length()).y);
         let forward = if role == Role::Rail { to - from } else { from - to };
         if forward > 0.0 {
-            Ok(Self { role, curve })
+            Ok(Self::known(role, curve))
         } else {
             Err(ProfileError::WrongSense { role, from, to })
         }
@@ -92,7 +104,7 @@ impl Profile {
 
     /// A profile known to run the right way.
     pub(crate) fn known(role: Role, curve: Curve) -> Self {
-        Self { role, curve }
+        Self { role, curve, unmeasured: Vec::new() }
     }
 
     /// A profile through points `(y, z)` (m), with continuous slope and curvature but at the
@@ -105,7 +117,7 @@ impl Profile {
         points: &[[f64; 2]],
         corners: &[usize],
     ) -> Result<Self, ProfileError> {
-        Self::new(role, curve::interpolate(points, corners)?)
+        Ok(Self::new(role, curve::interpolate(points, corners)?)?.between_points())
     }
 
     /// The same, smoothed.
@@ -125,7 +137,24 @@ impl Profile {
         if !(value > 0.0 && value.is_finite()) {
             return Err(ProfileError::Smoothing { value, is_weight });
         }
-        Self::new(role, curve::smooth(points, corners, smoothing)?)
+        Ok(Self::new(role, curve::smooth(points, corners, smoothing)?)?.between_points())
+    }
+
+    /// Notes the stretches without points: there is one piece between two points.
+    fn between_points(mut self) -> Self {
+        let lengths: Vec<f64> = self.curve.pieces().map(|(_, piece)| piece.length()).collect();
+        let longest = longest_spacing(&lengths);
+        let ends = self.curve.pieces().map(|(start, piece)| [start, start + piece.length()]);
+        self.unmeasured = ends.filter(|[from, to]| to - from > longest).collect();
+        self
+    }
+
+    /// Length (m) of the longest stretch without points that a range of arc length (m) reaches into: much longer than
+    /// the usual spacing, 5 mm at least. `None` where there are points all along, and of profiles by arcs and lines.
+    #[must_use]
+    pub fn unmeasured(&self, [low, high]: [f64; 2]) -> Option<f64> {
+        let reached = self.unmeasured.iter().filter(|[from, to]| *from < high && *to > low);
+        reached.map(|[from, to]| to - from).max_by(f64::total_cmp)
     }
 
     /// Wheel or rail.
@@ -158,6 +187,13 @@ impl Profile {
     pub fn waves(&self, y: f64, reach: f64, least: f64) -> Option<Waves> {
         let s = self.crossing_at(|point| point.y - y)?;
         Waves::of(&self.curve, [s - reach, s + reach], least)
+    }
+
+    /// [`Profile::unmeasured`] at the first point with that `y` (m).
+    #[must_use]
+    pub fn unmeasured_at(&self, y: f64) -> Option<f64> {
+        let s = self.crossing_at(|point| point.y - y)?;
+        self.unmeasured([s, s])
     }
 
     /// Arc length (m) of the floor of a rail's groove: the place that lies lowest below the heads on both of its

@@ -95,6 +95,40 @@ fn peak(solved: &WheelsetReport) -> f64 {
     contacts.map(|contact| contact.normal.peak_pressure().value).fold(0.0, f64::max)
 }
 
+/// S1002 by points .25 mm apart, but for those with `y` (m) in a range.
+fn with_hole(hole: [f64; 2]) -> String {
+    let curve = Standard::S1002.profile();
+    let points = curve.curve().stations(2.5e-4).into_iter().map(|s| curve.curve().at(s));
+    let left = points.filter(|point| !(hole[0] < point.y && point.y < hole[1]));
+    left.map(|point| format!("{:.6} {:.6}\n", 1e3 * point.y, 1e3 * point.z)).collect()
+}
+
+/// On a hole in the points the shape is made up; beside it nothing is said, nor of a profile by arcs.
+#[test]
+fn a_contact_on_a_stretch_without_points_is_told() {
+    let unmeasured = |profile: &str| {
+        let directory = tempfile::tempdir().unwrap();
+        fs::write(directory.path().join("hole.txt"), profile).unwrap();
+        let reading = "\"hole.txt\"\nreading = { unit = 0.001, y = \"field-side\", z = \"down\" }";
+        let text = example("s1002-on-uic60.toml")
+            .replace("\"S1002\"", reading)
+            .replace("roll = \"free\"", "roll = 0.0\nside = \"right\"")
+            .replace("axle_load = 200e3", "wheel_load = 100e3")
+            .replace("pitch_rate = \"free\"", "pitch_rate = 65.2");
+        let cautions = solved(&text, directory.path()).cautions();
+        let length = |(_, caution): &(Side, Caution)| match caution {
+            Caution::Unmeasured { body: Role::Wheel, length } => Some(*length),
+            _ => None,
+        };
+        cautions.iter().filter_map(length).collect::<Vec<_>>()
+    };
+    // The contact in the middle of the track lies near y = 0.
+    let [length] = unmeasured(&with_hole([-16e-3, 16e-3]))[..] else { panic!("nothing is said") };
+    assert!((length - 32e-3).abs() < 1e-3, "{length}");
+    assert_eq!(unmeasured(&with_hole([20e-3, 28e-3])), []);
+    assert_eq!(unmeasured(&with_hole([1.0, 1.0])), []);
+}
+
 #[test]
 fn noise_of_five_micrometres_is_rough_until_it_is_smoothed() {
     let noisy = on_measured(&measured(5e-6, 1, None));

@@ -49,7 +49,7 @@ pub use error::{WheelsetError, side_word};
 pub use friction::{FrictionOfPlace, PlaceOnRail, RailFriction};
 pub use pose::{Drive, Load, Patches, PitchRate, RigidSlip, WheelsetPose, WheelsetVelocity};
 pub use resultant::Resultant;
-pub use rough::{Roughness, rough_profiles};
+pub use rough::{Roughness, Unmeasured, rough_profiles, unmeasured_profiles};
 pub use solved::{SolvedContact, SolvedWheel, SolvedWheelset, SurfaceLimits};
 pub use solver::{PressedContacts, WheelsetSolver};
 pub use springs::RailSprings;

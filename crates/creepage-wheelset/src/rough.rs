@@ -1,9 +1,9 @@
-//! Roughness of profiles where they touch: bodies then meet on the crests of their waves, and the pressure says more
-//! about the measurement than about the wheel.
+//! Measured profiles where they touch: roughness, by which bodies meet on the crests of waves and the pressure says more
+//! about the measurement than about the wheel; and stretches without points.
 
 use creepage::SolidPair;
 use creepage::normal::NormalContact;
-use creepage_rail::{Contact, RadiusDifference, Role, Side, Waves, WheelsetOnTrack};
+use creepage_rail::{Contact, Profile, RadiusDifference, Role, Side, Waves, WheelsetOnTrack};
 
 /// Beyond a contact's area on either side, waves are looked for as far as this (m): between two
 /// crests the area may be narrower than a wave.
@@ -32,6 +32,22 @@ pub struct Roughness {
     pub swing: f64,
     /// The pressure that presses the waves flat (Pa).
     pub pressure: f64,
+}
+
+/// Stretch without points on a measured profile, where it touches: its shape there is made up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unmeasured {
+    /// The body whose profile it is.
+    pub body: Role,
+    /// Length of the stretch (m).
+    pub length: f64,
+}
+
+/// The profiles without points somewhere in the areas of a contact.
+pub(crate) fn unmeasured(contact: &Contact<'_>, normal: &NormalContact) -> Vec<Unmeasured> {
+    let areas = across(normal);
+    let of = |body| Some(Unmeasured { body, length: contact.unmeasured(body, areas)? });
+    [Role::Wheel, Role::Rail].into_iter().filter_map(of).collect()
 }
 
 /// The rough profiles of a contact with this pressure.
@@ -76,30 +92,60 @@ pub fn rough_profiles(
     let by_swing = by_swing(pair);
     let least = COUNTS * PRESSURE / by_swing;
     let mut worst: Vec<(Side, Role, Waves)> = Vec::new();
-    for (y, _) in difference.rows().step_by(EVERY) {
-        let roll = if rolls { running.resting(y, 0.0, None).map(|p| p.roll) } else { Ok(0.0) };
-        let Ok(roll) = roll else { continue };
-        for side in [Side::Left, Side::Right] {
-            let Ok(touch) = running.touch(side, y, roll, 0.0) else { continue };
-            let [wheel, rail] = running.profiles(side);
-            for (body, profile, at) in
-                [(Role::Wheel, wheel, touch.y_wheel), (Role::Rail, rail, touch.y_rail)]
-            {
-                let Some(waves) = profile.waves(at, REACH, least) else { continue };
-                if roughness(body, waves, by_swing).is_none() {
-                    continue;
-                }
-                let known = worst.iter_mut().find(|(s, b, _)| *s == side && *b == body);
-                match known {
-                    Some((.., known)) if known.swing >= waves.swing => {}
-                    Some((.., known)) => *known = waves,
-                    None => worst.push((side, body, waves)),
-                }
-            }
+    for (side, body, profile, at) in touching(running, difference, rolls) {
+        let Some(waves) = profile.waves(at, REACH, least) else { continue };
+        if roughness(body, waves, by_swing).is_none() {
+            continue;
+        }
+        let known = worst.iter_mut().find(|(s, b, _)| *s == side && *b == body);
+        match known {
+            Some((.., known)) if known.swing >= waves.swing => {}
+            Some((.., known)) => *known = waves,
+            None => worst.push((side, body, waves)),
         }
     }
     let rough = |(side, body, waves)| Some((side, roughness(body, waves, by_swing)?));
     worst.into_iter().filter_map(rough).collect()
+}
+
+/// Profiles without points where wheel and rail touch at positions of a radius difference, each once.
+#[must_use]
+pub fn unmeasured_profiles(
+    running: &WheelsetOnTrack,
+    difference: &RadiusDifference,
+    rolls: bool,
+) -> Vec<(Side, Unmeasured)> {
+    let mut all: Vec<(Side, Unmeasured)> = Vec::new();
+    for (side, body, profile, at) in touching(running, difference, rolls) {
+        let Some(length) = profile.unmeasured_at(at) else { continue };
+        if !all.iter().any(|(s, known)| *s == side && known.body == body) {
+            all.push((side, Unmeasured { body, length }));
+        }
+    }
+    all
+}
+
+/// Wheels and rails at positions of a radius difference, each with the `y` (m) of its profile at which it touches.
+fn touching<'a>(
+    running: &'a WheelsetOnTrack,
+    difference: &'a RadiusDifference,
+    rolls: bool,
+) -> impl Iterator<Item = (Side, Role, &'a Profile, f64)> {
+    let looked_at = difference.rows().step_by(EVERY).filter_map(move |(y, _)| {
+        let roll = if rolls { running.resting(y, 0.0, None).map(|p| p.roll) } else { Ok(0.0) };
+        Some((y, roll.ok()?))
+    });
+    looked_at.flat_map(move |(y, roll)| {
+        let sides = [Side::Left, Side::Right].into_iter();
+        let touches = sides.filter_map(move |side| Some((side, running.touch(side, y, roll, 0.0).ok()?)));
+        touches.flat_map(|(side, touch)| {
+            let [wheel, rail] = running.profiles(side);
+            [
+                (side, Role::Wheel, wheel, touch.y_wheel),
+                (side, Role::Rail, rail, touch.y_rail),
+            ]
+        })
+    })
 }
 
 /// Where the areas of a contact begin and end across (m).

@@ -13,7 +13,7 @@ use crate::derivatives::WheelsetDerivatives;
 use crate::field::Field;
 use crate::pose::RigidSlip;
 use crate::resultant::{Acting, Resultant};
-use crate::rough::Roughness;
+use crate::rough::{Roughness, Unmeasured};
 use crate::solver::LoadLine;
 use crate::tilt::Placed;
 use crate::warm_start::{PitchState, PredictorCorrection};
@@ -145,6 +145,8 @@ pub struct SolvedContact {
     pub(crate) field: Field,
     /// Its profiles that are rough where they touch.
     pub rough: Vec<Roughness>,
+    /// Its profiles without points somewhere in its areas.
+    pub unmeasured: Vec<Unmeasured>,
 }
 
 impl SolvedContact {

@@ -6,6 +6,7 @@ use super::orientation::distance;
 use super::rows::Point;
 use super::{Action, FileError, scans};
 use crate::curve::turn;
+use crate::profile::longest_spacing;
 
 /// Points nearer than this repeat each other (m).
 const REPEATED: f64 = 1e-8;
@@ -14,9 +15,6 @@ const ZIG_ZAG: f64 = 5.0 / 6.0 * PI;
 const LARGEST_TURN: f64 = 2.0 / 3.0 * PI;
 /// What is near on a measured profile (m).
 pub(super) const REACH: f64 = 2e-3;
-/// A gap is longer than this (m), and than so many times the usual spacing.
-const GAP: f64 = 5e-3;
-const TIMES: f64 = 8.0;
 
 /// What is a true corner of a profile rather than its roughness.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -180,13 +178,12 @@ pub(super) fn corners(
     search: CornerSearch,
     actions: &mut Vec<Action>,
 ) -> Vec<usize> {
-    let mut spacings: Vec<f64> =
+    let spacings: Vec<f64> =
         points.windows(2).map(|pair| distance(&pair[0], &pair[1])).collect();
-    spacings.sort_by(f64::total_cmp);
-    let usual = spacings.get(spacings.len() / 2).copied().unwrap_or(0.0);
+    let longest = longest_spacing(&spacings);
     let gap = |i: usize| {
         let length = points.get(i).zip(points.get(i + 1)).map_or(0.0, |(a, b)| distance(a, b));
-        (length > GAP.max(TIMES * usual)).then_some(length)
+        (length > longest).then_some(length)
     };
     let mut corners = Vec::new();
     for (index, point) in points.iter().enumerate() {

@@ -133,6 +133,13 @@ pub enum Caution {
         /// Pressure on their crests that presses them flat (Pa).
         pressure: f64,
     },
+    /// A profile has no points where it touches: its shape there is made up.
+    Unmeasured {
+        /// The wheel or the rail.
+        body: Role,
+        /// Length of the stretch without points (m).
+        length: f64,
+    },
     /// The pressure makes a metal flow: an elastic contact would be larger and its pressure lower.
     Yields {
         /// The peak pressure (Pa).

@@ -13,7 +13,8 @@ impl fmt::Display for Caution {
             Self::LikeBodies { .. }
             | Self::Pressure { .. }
             | Self::CoarseGap { .. }
-            | Self::Rough { .. } => self.write_of_areas(f),
+            | Self::Rough { .. }
+            | Self::Unmeasured { .. } => self.write_of_areas(f),
             Self::Yields { .. }
             | Self::UncertainPeak { .. }
             | Self::RollerEnd { .. }
@@ -122,7 +123,7 @@ impl Caution {
                 if is_given {
                     return Ok(());
                 }
-                f.write_str(" (give [damage] shear_yield for a harder steel)")
+                f.write_str("; a harder steel bears more: a case with [damage] takes its shear_yield")
             }
             Self::UncertainPeak { peak_pressure, error } => write!(
                 f,
@@ -266,6 +267,12 @@ impl Caution {
                 significant(1e3 * swing, 2),
                 significant(1e3 * length, 2),
                 quantity(pressure, "Pa", 2)
+            ),
+            Self::Unmeasured { body, length } => write!(
+                f,
+                "the {body}'s profile has no points over {} mm where it touches: its shape there is a curve laid across, \
+                 not measured",
+                significant(1e3 * length, 3)
             ),
             _ => Ok(()),
         }

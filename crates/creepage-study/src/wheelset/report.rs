@@ -4,7 +4,9 @@ use super::case::WheelsetCase;
 use crate::{Caution, Damage, Heat};
 use creepage::{SiCreepage, SiForce, Solid, SolidPair, Status};
 use creepage_rail::{RadiusDifference, RollingCreepage, Side};
-use creepage_wheelset::{Roughness, SolvedContact, SolvedWheel, SolvedWheelset, rough_profiles};
+use creepage_wheelset::{
+    Roughness, SolvedContact, SolvedWheel, SolvedWheelset, Unmeasured, rough_profiles, unmeasured_profiles,
+};
 use std::ops::Deref;
 
 /// A solved wheelset and what is reported of it: as text, JSON, files and pictures.
@@ -141,7 +143,15 @@ fn of_contact(contact: &SolvedContact, damage: Option<&Damage>) -> Vec<Caution> 
         all.chain(Caution::like_bodies(kappa_over_mu)).chain(Caution::of_areas(&contact.normal));
     // Its points across are as many as are looked up.
     let all = all.filter(|caution| !matches!(caution, Caution::CoarseGap { .. }));
-    all.chain(contact.rough.iter().map(|rough| Caution::from(*rough))).collect()
+    all.chain(contact.rough.iter().map(|rough| Caution::from(*rough)))
+        .chain(contact.unmeasured.iter().map(|stretch| Caution::from(*stretch)))
+        .collect()
+}
+
+impl From<Unmeasured> for Caution {
+    fn from(Unmeasured { body, length }: Unmeasured) -> Self {
+        Self::Unmeasured { body, length }
+    }
 }
 
 impl From<Roughness> for Caution {
@@ -152,9 +162,8 @@ impl From<Roughness> for Caution {
 
 impl WheelsetCase {
     /// What is odd about a conicity: wheels that stand on their flanges in the middle of the track or `amplitude` (m) to
-    /// either side, and profiles that are
-    /// rough where wheel and rail touch, as of [`rough_profiles`]; in steel where no materials are given. `rolls` as for
-    /// [`WheelsetCase::radius_difference`].
+    /// either side, and profiles that are rough or not measured where wheel and rail touch, as of [`rough_profiles`] and
+    /// [`unmeasured_profiles`]; in steel where no materials are given. `rolls` as for [`WheelsetCase::radius_difference`].
     #[must_use]
     pub fn conicity_cautions(
         &self,
@@ -170,6 +179,8 @@ impl WheelsetCase {
         };
         let mut all: Vec<_> = [Side::Left, Side::Right].into_iter().filter_map(climbs).collect();
         let steel = || Solid::new(82e9, 0.28).map(|solid| SolidPair::new(solid, solid));
+        let unmeasured = unmeasured_profiles(&self.running, difference, rolls);
+        all.extend(unmeasured.into_iter().map(|(side, stretch)| (side, stretch.into())));
         let Some(pair) = self.solids.or_else(|| steel().ok()) else { return all };
         let rough = rough_profiles(&self.running, &pair, difference, rolls);
         all.extend(rough.into_iter().map(|(side, rough)| (side, rough.into())));

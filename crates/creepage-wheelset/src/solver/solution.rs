@@ -141,6 +141,7 @@ impl SolvedContact {
             at_rest: rolled.at_rest,
             turn: turn(contact, &pressed.normal),
             rough: rough::of_contact(contact, &pressed.normal),
+            unmeasured: rough::unmeasured(contact, &pressed.normal),
         }
     }
 }
