@@ -129,6 +129,14 @@ impl WearStop {
     }
 }
 
+/// The tables of a run.
+const TABLES: [&str; 3] = ["wear.csv", "profiles.csv", "report.json"];
+
+/// The pictures of the wheels or the rails: as SVG, as PNG, moving.
+fn picture_names(role: Role) -> [String; 3] {
+    ["s.svg", "s.png", "s-moving.png"].map(|ending| format!("{role}{ending}"))
+}
+
 /// The file of a body's profile at a stop.
 fn profile_name(body: WornBody, number: usize) -> String {
     format!("{}_{number:03}.json", body.name())
@@ -250,20 +258,18 @@ impl Wear {
         sources: &Sources,
     ) -> Result<Vec<PathBuf>, WearError> {
         let json = serde_json::to_vec_pretty(&self.json()).map_err(ReportError::from)?;
-        let mut files = vec![
-            ("wear.csv".to_owned(), self.csv()?),
-            ("profiles.csv".to_owned(), self.points_csv()?),
-            ("report.json".to_owned(), json),
-        ];
+        let tables = [self.csv()?, self.points_csv()?, json];
+        let mut files: Vec<_> = TABLES.map(str::to_owned).into_iter().zip(tables).collect();
         for role in [Role::Wheel, Role::Rail] {
             if let Some(svg) = self.svg(role) {
+                let [as_svg, as_png, as_moving] = picture_names(role);
                 let png = creepage_plot::png(&svg).map_err(ReportError::from)?;
-                files.push((format!("{role}s.svg"), svg.into_bytes()));
-                files.push((format!("{role}s.png"), png));
+                files.push((as_svg, svg.into_bytes()));
+                files.push((as_png, png));
                 let moving =
                     Animation::new(self, role).map(|frames| creepage_plot::animated_png(&frames));
                 if let Some(png) = moving.transpose().map_err(ReportError::from)? {
-                    files.push((format!("{role}s-moving.png"), png));
+                    files.push((as_moving, png));
                 }
             }
         }
@@ -286,13 +292,11 @@ impl WearPlan {
         directory: &Path,
         sources: &Sources,
     ) -> Result<(), ReportError> {
-        let tables = ["wear.csv", "profiles.csv", "report.json", Wear::STATE].map(str::to_owned);
-        let pictures = [Role::Wheel, Role::Rail].into_iter().flat_map(|role| {
-            ["s.svg", "s.png", "s-moving.png"].map(|ending| format!("{role}{ending}"))
-        });
+        let tables = TABLES.into_iter().chain([Wear::STATE]).map(str::to_owned);
+        let pictures = [Role::Wheel, Role::Rail].into_iter().flat_map(picture_names);
         let profiles = (0..=self.stops as usize)
             .flat_map(|number| WornBody::ALL.map(|body| profile_name(body, number)));
-        let mut names = tables.into_iter().chain(pictures).chain(profiles);
+        let mut names = tables.chain(pictures).chain(profiles);
         names.try_for_each(|name| sources.ensure_not_overwritten(&directory.join(name)))
     }
 
