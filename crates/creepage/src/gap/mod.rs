@@ -56,6 +56,11 @@ impl Rectangle {
         Self { x: part(self.x, other.x), y: part(self.y, other.y) }
     }
 
+    /// Whether a place lies in it.
+    pub(crate) fn holds(&self, [x, y]: [f64; 2]) -> bool {
+        self.x[0] <= x && x <= self.x[1] && self.y[0] <= y && y <= self.y[1]
+    }
+
     /// The smallest rectangle that holds both.
     pub(crate) fn around(&self, other: &Self) -> Self {
         let part = |one: [f64; 2], other: [f64; 2]| [one[0].min(other[0]), one[1].max(other[1])];

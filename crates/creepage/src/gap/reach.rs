@@ -15,8 +15,11 @@ impl Gap {
                 let [first, others @ ..] = polynomial.wells() else { return None };
                 let below = others.iter().filter(|well| well.height < height);
                 let mut all = reach_of_well(polynomial, first, height)?;
+                // One that lies inside is reached from there already: the bottom of a ring has no end of wells.
                 for well in below {
-                    all = all.around(&reach_of_well(polynomial, well, height)?);
+                    if !all.holds(well.place) {
+                        all = all.around(&reach_of_well(polynomial, well, height)?);
+                    }
                 }
                 Some(all)
             }
