@@ -227,7 +227,11 @@ impl Ball<'_> {
         }
         // The true cause comes first: an area as wide as the ball has no motion.
         if left > ACCEPTED && width > half {
-            return Err(BearingError::LargeContact { azimuth: self.azimuth, half_width: width, radius: half });
+            return Err(BearingError::LargeContact {
+                azimuth: self.azimuth,
+                half_width: width,
+                radius: half,
+            });
         }
         let motion = motion_of(&found);
         let (gyroscopic, most) = (self.gyroscopic(&motion), bound * half);

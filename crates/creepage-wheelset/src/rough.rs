@@ -137,13 +137,11 @@ fn touching<'a>(
     });
     looked_at.flat_map(move |(y, roll)| {
         let sides = [Side::Left, Side::Right].into_iter();
-        let touches = sides.filter_map(move |side| Some((side, running.touch(side, y, roll, 0.0).ok()?)));
+        let touches =
+            sides.filter_map(move |side| Some((side, running.touch(side, y, roll, 0.0).ok()?)));
         touches.flat_map(|(side, touch)| {
             let [wheel, rail] = running.profiles(side);
-            [
-                (side, Role::Wheel, wheel, touch.y_wheel),
-                (side, Role::Rail, rail, touch.y_rail),
-            ]
+            [(side, Role::Wheel, wheel, touch.y_wheel), (side, Role::Rail, rail, touch.y_rail)]
         })
     })
 }

@@ -178,8 +178,7 @@ pub(super) fn corners(
     search: CornerSearch,
     actions: &mut Vec<Action>,
 ) -> Vec<usize> {
-    let spacings: Vec<f64> =
-        points.windows(2).map(|pair| distance(&pair[0], &pair[1])).collect();
+    let spacings: Vec<f64> = points.windows(2).map(|pair| distance(&pair[0], &pair[1])).collect();
     let longest = longest_spacing(&spacings);
     let gap = |i: usize| {
         let length = points.get(i).zip(points.get(i + 1)).map_or(0.0, |(a, b)| distance(a, b));

@@ -5,7 +5,8 @@ use crate::{Caution, Damage, Heat};
 use creepage::{SiCreepage, SiForce, Solid, SolidPair, Status};
 use creepage_rail::{RadiusDifference, RollingCreepage, Side};
 use creepage_wheelset::{
-    Roughness, SolvedContact, SolvedWheel, SolvedWheelset, Unmeasured, rough_profiles, unmeasured_profiles,
+    Roughness, SolvedContact, SolvedWheel, SolvedWheelset, Unmeasured, rough_profiles,
+    unmeasured_profiles,
 };
 use std::ops::Deref;
 

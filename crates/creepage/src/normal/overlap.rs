@@ -56,7 +56,9 @@ impl Overlap {
                 let chords = mean_chords(&lattice, inside).unwrap_or(lattice.step);
                 let overlapping = depths.iter().filter(|&&depth| depth > 0.0).count();
                 let area = overlapping as f64 * lattice.cell_area();
-                return Ok(Self { rectangle: closer, chords, area, depth });
+                // About one of several wells the first look was lopsided.
+                let rectangle = if has_several { closely(&lattice, &depths) } else { closer };
+                return Ok(Self { rectangle, chords, area, depth });
             } else if improves {
                 rectangle = around(&lattice, at).within(&rectangle);
             } else {
@@ -66,6 +68,32 @@ impl Overlap {
         let least_gap = (approach - deepest).min(gap.least().unwrap_or(f64::INFINITY));
         Err(NormalError::NoContact { approach, least_gap })
     }
+}
+
+/// The rectangle one cell beyond the ends of an overlap, which lie where depths between cells come to zero: it is the
+/// same wherever one began to look, and a gap alike on both sides has elements alike.
+fn closely(lattice: &Lattice, depths: &[f64]) -> Rectangle {
+    let [columns, rows] = lattice.count;
+    // From a cell's centre, in cells; the cell's own end at the border of what is looked at.
+    let end = |cell: usize, next: Option<usize>| match next.map(|next| depths[next]) {
+        Some(apart) if apart <= 0.0 => depths[cell] / (depths[cell] - apart),
+        _ => 0.5,
+    };
+    let mut sides = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    for cell in (0..depths.len()).filter(|&cell| depths[cell] > 0.0) {
+        let (column, row) = (cell % columns, cell / columns);
+        let places =
+            [(lattice.x(column), column, columns, 1), (lattice.y(row), row, rows, columns)];
+        for (axis, (at, index, count, stride)) in places.into_iter().enumerate() {
+            let before = (index > 0).then(|| cell - stride);
+            let after = (index + 1 < count).then_some(cell + stride);
+            let [low, high] =
+                [before, after].map(|next| (1.0 + end(cell, next)) * lattice.step[axis]);
+            sides[axis] = [sides[axis][0].min(at - low), sides[axis][1].max(at + high)];
+        }
+    }
+    let [x, y] = sides;
+    Rectangle { x, y }
 }
 
 /// Whether few cells overlap across, so that another place of overlap may lie between them.
