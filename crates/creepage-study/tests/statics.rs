@@ -3,7 +3,7 @@
 // Helpers of tests fail like tests: by panicking.
 #![allow(clippy::unwrap_used)]
 
-use creepage_study::{StaticsCase, StaticsFile, StaticsProblem, statics_json_schema};
+use creepage_study::{Caution, StaticsCase, StaticsFile, StaticsProblem, statics_json_schema};
 
 const BODIES: &str = r#"
 [upper]
@@ -203,4 +203,26 @@ fn a_path_is_cautioned_for_its_largest_load_and_unlike_bodies() {
 fn a_bad_load_of_a_step_is_named_with_its_number() {
     let steps = "problem = \"shift-path\"\nalong = \"x\"\nsteps = [{ force = 1.0 }, { force = 1.0, normal_force = 0.0 }]";
     refused(&with("normal_force = 80e3\nfriction = 0.3", steps), &["step 2", "normal_force"]);
+}
+
+/// Without slip any load is held; one beyond the friction of all bodies is told with the friction that it takes.
+#[test]
+fn loads_without_slip_beyond_friction_are_told() {
+    let needs = |statics: &str| {
+        let cautions = solved(&with("normal_force = 80e3", statics)).cautions;
+        cautions.into_iter().find_map(|caution| match caution {
+            Caution::NeedsFriction { friction } => Some(friction),
+            _ => None,
+        })
+    };
+    let shift =
+        |force: f64| needs(&format!("problem = \"shift\"\nforce_x = {force}\nforce_y = {force}"));
+    assert_eq!(shift(80e3), None);
+    let friction = shift(240e3).unwrap();
+    assert!((friction / (3.0 * 2_f64.sqrt()) - 1.0).abs() < 1e-12, "{friction}");
+    // The semi-axes are some 8 mm: 80 kN hold some 400 N m by friction 1.
+    let twist = |moment: f64| needs(&format!("problem = \"twist\"\nmoment = {moment}"));
+    assert_eq!(twist(-300.0), None);
+    let friction = twist(-3000.0).unwrap();
+    assert!(friction > 5.0 && friction < 15.0, "{friction}");
 }

@@ -54,6 +54,11 @@ pub enum Caution {
         /// The tangential force over `mu N`.
         share: f64,
     },
+    /// A load without slip that takes more friction than bodies have.
+    NeedsFriction {
+        /// The coefficient of friction that it takes at least.
+        friction: f64,
+    },
     /// The theory neglects the layer between the bodies.
     NoLayer {
         /// The theory.

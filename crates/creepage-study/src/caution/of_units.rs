@@ -85,6 +85,11 @@ impl Caution {
         (friction > Self::FRICTION).then_some(Self::LargeFriction { friction })
     }
 
+    /// A load without slip that takes such a one.
+    pub(crate) fn needs_friction(friction: f64) -> Option<Self> {
+        (friction > Self::FRICTION).then_some(Self::NeedsFriction { friction })
+    }
+
     /// The components of a creepage that no wheel has.
     pub(crate) fn large_creepage(creepage: SiCreepage) -> impl Iterator<Item = Self> {
         let SiCreepage { longitudinal, lateral, .. } = creepage;

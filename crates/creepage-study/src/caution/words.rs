@@ -61,6 +61,11 @@ impl fmt::Display for Caution {
                  and spin",
                 significant(share, 3)
             ),
+            Self::NeedsFriction { friction } => write!(
+                f,
+                "without slip this load takes a coefficient of friction of {} at least: in truth all slides",
+                significant(friction, 3)
+            ),
             Self::NoLayer { theory } => write!(
                 f,
                 "{theory} leaves out the layer between the bodies; exact counts it, fastsim on ellipses"

@@ -4,6 +4,8 @@ mod contact;
 mod error;
 mod load;
 
+use std::f64::consts::PI;
+
 use creepage::statics::{
     Bonded, Compression, Die, PartialSlip, PartialSlipError, ShearError, ShearedRectangle,
     ShiftAxis, ShiftEnd, ShiftPath,
@@ -242,6 +244,7 @@ impl StaticsFile {
         let radius = smallest_radius([upper, &self.lower]);
         let mut all = Caution::of_hertz(&hertz, radius);
         all.extend(unlike);
+        all.extend(Caution::needs_friction(needed_friction(problem, &hertz)));
         all
     }
 
@@ -387,6 +390,20 @@ impl StaticsFile {
         self.upper
             .as_ref()
             .ok_or_else(|| CaseError::MissingSection { section: "upper".into(), needs: needs() })
+    }
+}
+
+/// The coefficient of friction without which a load that is taken without slip makes all slide: the tangential force
+/// over the normal one; a moment over the largest that a circle of the longer semi-axis carries at friction 1, `3 pi/16
+/// N a`.
+fn needed_friction(problem: &StaticsProblem, hertz: &Hertz) -> f64 {
+    let normal = hertz.normal_force();
+    match problem {
+        StaticsProblem::Shift { force: [x, y], .. } => x.hypot(*y) / normal,
+        StaticsProblem::Twist { ellipse, moment, .. } => {
+            moment.abs() / (3.0 * PI / 16.0 * normal * ellipse.a().max(ellipse.b()))
+        }
+        _ => 0.0,
     }
 }
 
