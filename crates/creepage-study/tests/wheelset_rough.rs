@@ -125,8 +125,8 @@ fn a_contact_on_a_stretch_without_points_is_told() {
     // The contact in the middle of the track lies near y = 0.
     let [length] = unmeasured(&with_hole([-16e-3, 16e-3]))[..] else { panic!("nothing is said") };
     assert!((length - 32e-3).abs() < 1e-3, "{length}");
-    assert_eq!(unmeasured(&with_hole([20e-3, 28e-3])), []);
-    assert_eq!(unmeasured(&with_hole([1.0, 1.0])), []);
+    assert!(unmeasured(&with_hole([20e-3, 28e-3])).is_empty());
+    assert!(unmeasured(&with_hole([1.0, 1.0])).is_empty());
 }
 
 #[test]
