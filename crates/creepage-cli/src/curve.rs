@@ -25,7 +25,9 @@ pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
         AnyCase::Gap(case) => Curves::on_areas(case, contact.clone(), vary, values),
     };
     let mut curves = curves.map_err(wrong)?;
-    for caution in case.cautions_of_units(&contact, creepage) {
+    let largest = if from.abs() > to.abs() { from } else { to };
+    let largest = vary.replaced(creepage, largest)?;
+    for caution in case.cautions_of_units(&contact, largest) {
         say(&format!("caution: {caution}"));
     }
     for theory in theories {

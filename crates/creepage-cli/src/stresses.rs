@@ -1,7 +1,7 @@
 //! `creepage stresses`: stresses inside a body.
 
 use creepage::Status;
-use creepage_study::{Sources, StressFileError, StressPoint, Stresses, read_points, stress_csv};
+use creepage_study::{Sources, StressFileError, Stresses, read_points, stress_csv};
 
 use crate::args::{BodyName, StressesArgs};
 use crate::failure::Failure;
@@ -15,6 +15,9 @@ pub(crate) fn run(args: &StressesArgs) -> Result<Outcome, Failure> {
     let stresses = prepare(args)?;
     let failed = |source| Failure::Stresses { path: args.case.clone(), source };
     let asked = points.map(|points| stresses.at(&points)).transpose().map_err(failed)?;
+    for words in stresses.cautions(asked.as_deref().unwrap_or_default()) {
+        say(&format!("caution: {words}"));
+    }
     if let Some(directory) = &args.out {
         let sources = sources_of(&args.case).with(&Sources::new(&args.points));
         let written =
@@ -37,7 +40,6 @@ pub(crate) fn run(args: &StressesArgs) -> Result<Outcome, Failure> {
             })?;
         }
     }
-    warn(&stresses, asked.as_deref().unwrap_or_default());
     let status = stresses.solved.solution().status;
     Ok(if status == Status::NotConverged { Outcome::Doubtful } else { Outcome::Done })
 }
@@ -63,19 +65,4 @@ fn prepare(args: &StressesArgs) -> Result<Stresses, Failure> {
     };
     Stresses::new(solved, solid, body)
         .map_err(|source| Failure::Stresses { path: args.case.clone(), source })
-}
-
-/// Prints the cautions about the numbers.
-fn warn(stresses: &Stresses, points: &[StressPoint]) {
-    for caution in &stresses.solved.cautions {
-        say(&format!("caution: {caution}"));
-    }
-    let settled = stresses.settled_depth();
-    let shallow = points.iter().filter(|at| at.point[2] < settled).count();
-    if shallow > 0 {
-        say(&format!(
-            "caution: points less than {settled:.2e} m deep: {shallow}; stresses there depend on the \
-             elements"
-        ));
-    }
 }

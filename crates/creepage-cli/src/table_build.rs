@@ -75,11 +75,13 @@ pub(crate) fn run(args: &BuildArgs) -> Result<(), Failure> {
     let bytes =
         table.to_bytes().map_err(|source| Failure::Table { path: args.out.clone(), source })?;
     file.write_all(&bytes).and_then(|()| file.finish()).map_err(failed)?;
-    let worst = 100.0 * table.accuracy().force.worst;
+    let [worst, moment] = [table.accuracy().force.worst, table.accuracy().moment.worst];
     let places = table.accuracy().places + table.accuracy().hard_places;
     say(&format!(
-        "wrote {}: largest error at {places} places {worst:.2} % of mu N",
-        args.out.display()
+        "wrote {}: largest error at {places} places {:.2} % of mu N, of the moment {:.2} % of mu N c",
+        args.out.display(),
+        100.0 * worst,
+        100.0 * moment
     ));
     Ok(())
 }

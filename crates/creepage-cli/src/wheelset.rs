@@ -76,6 +76,9 @@ fn table(args: &WheelsetArgs, case: &WheelsetCase, file: &Path) -> Result<Outcom
     whole.fill(|path| table.netcdf(path))?;
     whole.finish().map_err(failed)?;
     say_written(&[file.into()]);
+    if let Some((count, first)) = table.cautions() {
+        say(&format!("caution: {count} positions have cautions, the first: {}", first.join("; ")));
+    }
     match table.lacking() {
         0 => Ok(Outcome::Done),
         lacking => {

@@ -16,7 +16,7 @@ use crate::SolvedCase;
 use crate::error::ReportError;
 use crate::file_set::write_all;
 use crate::sources::Sources;
-use crate::text::{aligned, status_words};
+use crate::text::{Lines, aligned, status_words};
 
 /// From this depth on, over the smaller semi-axis, the stresses below elements have settled: half of
 /// an element of the coarsest resolution.
@@ -203,7 +203,10 @@ impl Stresses {
     #[must_use]
     pub fn text(&self, largest: &Largest) -> String {
         let (theory, status) = (self.solved.theory.name, self.solved.solution().status);
-        let mut text = format!("Theory {theory}: {}\n", status_words(status));
+        let mut lines = Lines::default();
+        lines.line(&format!("Theory {theory}: {}", status_words(status)));
+        self.cautions(&[]).iter().for_each(|words| lines.caution(words));
+        let mut text = lines.into_text();
         let peak = self.solved.peak_pressure().value;
         let [x, y, z] = largest.point.map(|length| quantity(length, "m", 5));
         let [first, second, third] =
@@ -232,13 +235,28 @@ impl Stresses {
         text
     }
 
+    /// Cautions in words: those of the case, and how many of `points` lie where stresses depend on the elements.
+    #[must_use]
+    pub fn cautions(&self, points: &[StressPoint]) -> Vec<String> {
+        let settled = self.settled;
+        let shallow = points.iter().filter(|at| at.point[2] < settled).count();
+        let shallow = (shallow > 0).then(|| {
+            format!(
+                "points less than {settled:.2e} m deep: {shallow}; stresses there depend on the elements"
+            )
+        });
+        self.solved.cautions.iter().map(ToString::to_string).chain(shallow).collect()
+    }
+
     /// Points for programs.
     #[must_use]
     pub fn json(&self, key: &str, points: &[StressPoint]) -> Value {
+        let cautions = self.cautions(points);
         json!({
             "creepage_version": env!("CARGO_PKG_VERSION"),
             "theory": self.solved.theory.name,
             "status": self.solved.solution().status.name(),
+            "caution": (!cautions.is_empty()).then(|| cautions.join("; ")),
             "body": self.body(),
             "peak_pressure_pa": self.solved.peak_pressure().value,
             "settled_depth_m": self.settled,

@@ -128,6 +128,15 @@ pub(super) fn tell_misspelt(header: &ByteRecord, known: &[&'static str]) {
     }
 }
 
+/// Cautions about columns that are passed through, though they are keys by which only a file differs.
+pub(super) fn tell_of_file(header: &ByteRecord, keys: &[&str]) {
+    for name in header.iter().map(|name| String::from_utf8_lossy(name.trim_ascii())) {
+        if keys.contains(&name.as_ref()) {
+            say(&format!("caution: column `{name}` is not used: it is the file's in all rows"));
+        }
+    }
+}
+
 /// The names of all columns.
 pub(super) fn names(header: &ByteRecord) -> String {
     let names = header.iter().map(|name| String::from_utf8_lossy(name.trim_ascii()));

@@ -61,7 +61,15 @@ pub(crate) fn run(args: &BatchArgs) -> Result<Outcome, Failure> {
 /// The theory with its options, of values that it takes; or the table.
 fn solver(args: &BatchArgs, case: Option<&CaseFile>) -> Result<Solver, Failure> {
     if let Some(path) = &args.table {
-        return Ok(Solver::of_table(Arc::new(read_table(path)?)));
+        let table = read_table(path)?;
+        let accuracy = table.accuracy();
+        say(&format!(
+            "note: {}: largest error {:.2} % of mu N, of the moment {:.2} % of mu N c",
+            path.display(),
+            100.0 * accuracy.force.worst,
+            100.0 * accuracy.moment.worst
+        ));
+        return Ok(Solver::of_table(Arc::new(table)));
     }
     let of_file = |path, source| Failure::Case { path, source };
     let spec = match (&args.theory, case, &args.case) {

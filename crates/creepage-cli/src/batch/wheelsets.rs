@@ -10,7 +10,7 @@ use creepage_study::{
 use csv::ByteRecord;
 use rayon::prelude::*;
 
-use super::columns::{ColumnError, NoCase, names, parse, place_of, tell_misspelt};
+use super::columns::{ColumnError, NoCase, names, parse, place_of, tell_misspelt, tell_of_file};
 use super::rows::RowAnswer;
 use super::table::Table;
 use super::{free, write_answers};
@@ -23,6 +23,9 @@ use crate::wheelset::{read, say_found, say_left_out};
 /// Beside what a wheelset is asked by: friction, and the place where surfaces vary along rolling.
 const FRICTION: &str = "friction";
 const PLACE: [&str; 2] = ["s", "pitch"];
+/// Keys that rows cannot have.
+const OF_FILE: [&str; 6] =
+    ["curvature", "curve_radius", "superelevation", "gauge", "wheel_load_left", "wheel_load_right"];
 /// Where [`ASKED`] has the load on both wheels.
 const AXLE_LOAD: usize = 4;
 
@@ -98,6 +101,7 @@ impl Places {
         }
         let known: Vec<_> = ASKED.into_iter().chain([FRICTION]).chain(PLACE).collect();
         tell_misspelt(&table.header, &known);
+        tell_of_file(&table.header, &OF_FILE);
         Ok(Self { asked, friction, place, count: table.header.len() })
     }
 

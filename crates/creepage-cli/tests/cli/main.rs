@@ -36,5 +36,6 @@ mod stresses;
 mod sweep;
 mod table;
 mod theories;
+mod told;
 mod wear;
 mod wheelset;

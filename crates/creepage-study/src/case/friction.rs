@@ -7,7 +7,7 @@ use creepage::friction_law::{
     Term,
 };
 use creepage::temperature::HeatedPair;
-use creepage::{Contact, Hertz};
+use creepage::{Contact, Hertz, InvalidValue};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::{Deserialize, Deserializer, Error};
 use toml::Value;
@@ -153,7 +153,13 @@ impl FrictionValue {
 
 impl AcrossTable {
     fn friction(&self) -> Result<FrictionAcross, CaseError> {
-        FrictionAcross::new(&self.across).map_err(CaseError::invalid("contact friction"))
+        let invalid = CaseError::invalid("contact friction");
+        // As far from a contact no place of it lies.
+        if let Some([value, _]) = self.across.iter().find(|[y, _]| y.abs() > 1.0) {
+            let (quantity, valid) = ("y of friction across", "within 1 m of the contact");
+            return Err(invalid(InvalidValue { quantity, value: *value, valid }));
+        }
+        FrictionAcross::new(&self.across).map_err(invalid)
     }
 
     fn rolling(&self) -> Result<RollingFriction, CaseError> {
@@ -203,6 +209,11 @@ impl LawTable {
         };
         match (self.memory_distance, self.memory_speed) {
             (None, None) => Ok(None),
+            (Some(value), _) if value > 1.0 => {
+                let (quantity, valid) = ("memory_distance", "positive, at most 1 m");
+                let invalid = InvalidValue { quantity, value, valid };
+                Err(CaseError::invalid("contact friction")(invalid))
+            }
             (Some(distance), Some(speed)) => FrictionMemory::new(distance, speed)
                 .map(Some)
                 .map_err(CaseError::invalid("contact friction")),

@@ -1,5 +1,6 @@
 //! `[damage]`: that wear and fatigue numbers are wanted, and their constants.
 
+use creepage::InvalidValue;
 use creepage::damage::{Archard, Bre, DamageConstants, DangVan, Ekberg, Usfd, Wlrm};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -69,14 +70,19 @@ impl DamageSection {
         let constants =
             DamageConstants { usfd, bre, archard, wlrm, ekberg, dang_van, shear_yield, density };
         let constants = constants.checked().map_err(CaseError::invalid("damage"))?;
-        if let Some(value) = self.wheel_diameter.filter(|d| !(d.is_finite() && *d > 0.0)) {
-            let valid = "finite and greater than zero";
-            let quantity = "wheel_diameter";
-            return Err(CaseError::invalid("damage")(creepage::InvalidValue {
-                quantity,
-                value,
-                valid,
-            }));
+        let of_steel = [
+            ("density", density, density >= 10.0, "at least 10 kg/m3"),
+            ("archard.hardness", archard.hardness, archard.hardness >= 1e6, "at least 1e6 Pa"),
+            ("shear_yield", shear_yield, shear_yield <= 2e10, "positive, at most 2e10 Pa"),
+        ];
+        let diameter = self.wheel_diameter.map(|value| {
+            ("wheel_diameter", value, value > 0.0 && value <= 10.0, "positive, at most 10 m")
+        });
+        // Numbers beyond those of any solid or wheel are in another unit.
+        let wrong = of_steel.into_iter().chain(diameter).find(|(_, _, is_valid, _)| !is_valid);
+        if let Some((quantity, value, _, valid)) = wrong {
+            let invalid = InvalidValue { quantity, value, valid };
+            return Err(CaseError::invalid("damage")(invalid));
         }
         let Self { wheel_diameter, shakedown, .. } = *self;
         Ok(DamageWanted { constants, wheel_diameter, shakedown })

@@ -75,7 +75,17 @@ impl ThermalBody {
             let key = format!("{body}: {key}");
             value.ok_or(CaseError::Missing { section: SECTION.into(), key })
         });
-        ThermalSolid::new(conductivity?, density?, specific_heat?)
+        let (density, specific_heat) = (density?, specific_heat?);
+        // Below these no solid is: g/cm3, kJ.
+        for (quantity, value, valid) in [
+            ("density", density, "at least 10 kg/m3"),
+            ("specific_heat", specific_heat, "at least 10 J/(kg K)"),
+        ] {
+            if value > 0.0 && value < 10.0 {
+                return Err(CaseError::invalid(SECTION)(InvalidValue { quantity, value, valid }));
+            }
+        }
+        ThermalSolid::new(conductivity?, density, specific_heat)
             .map_err(CaseError::invalid(SECTION))
     }
 }

@@ -10,6 +10,7 @@ use rayon::prelude::*;
 
 use super::case::WheelsetCase;
 use super::error::WheelsetFileError;
+use super::report::wheelset_caution_words;
 use crate::error::ReportError;
 
 /// A wheelset solved at every position of a grid.
@@ -59,6 +60,8 @@ struct Cell {
     /// Of the left and the right wheel.
     wheels: [[f64; OF_WHEEL.len()]; 2],
     contacts: [[[f64; OF_CONTACT.len()]; CONTACTS]; 2],
+    /// In words.
+    cautions: Vec<String>,
 }
 
 /// Places of contact of one wheel that a table holds, the most loaded ones.
@@ -174,6 +177,13 @@ impl WheelsetTable {
     #[must_use]
     pub fn lacking(&self) -> usize {
         self.cells.iter().filter(|cell| cell.is_none()).count()
+    }
+
+    /// At how many positions there are cautions, and those of the first of them in words.
+    #[must_use]
+    pub fn cautions(&self) -> Option<(usize, &[String])> {
+        let cautious = || self.cells.iter().flatten().filter(|cell| !cell.cautions.is_empty());
+        Some((cautious().count(), &cautious().next()?.cautions))
     }
 
     /// Writes the table as NetCDF (classic format, names and units as CF 1.11 asks), over the axes, and of the
@@ -309,6 +319,7 @@ impl Cell {
                     contacts.get(k).map_or([f64::NAN; OF_CONTACT.len()], of_contact)
                 })
             }),
+            cautions: wheelset_caution_words(solved),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Sections of wheels and rails that vary along rolling: slices, flats, harmonics, corrugation.
 
+use std::f64::consts::TAU;
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -10,7 +11,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::case::ProfileNote;
-use super::error::{WheelsetFileError, needed};
+use super::error::{WheelsetFileError, checked, needed};
 use super::profile::{RequestedProfile, of_points};
 use super::sections::ReadingSection;
 use crate::case::CaseError;
@@ -93,6 +94,8 @@ impl FlatSection {
     fn flat(&self, section: &'static str, radius: f64) -> Result<Flat, WheelsetFileError> {
         let Self { length, depth, angle, shape } = *self;
         let angle = angle.unwrap_or(0.0);
+        let is_valid = angle.is_nan() || angle.abs() <= TAU;
+        checked(section, "flat.angle", angle, is_valid, "within 2 pi rad of zero")?;
         let made = if shape == Some(FlatShapeName::Chord) {
             let chord =
                 Flat::chord(length, angle, radius).map_err(WheelsetFileError::geometry(section))?;

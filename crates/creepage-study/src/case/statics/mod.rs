@@ -207,7 +207,9 @@ impl StaticsFile {
             Problem::Compression => self.compression()?,
             Problem::ShearedRectangle => self.sheared_rectangle()?,
         };
-        Ok(StaticsCase { cautions: self.cautions(&problem), problem })
+        let mut cautions = self.cautions(&problem);
+        cautions.extend(self.contact.friction().ok().and_then(Caution::large_friction));
+        Ok(StaticsCase { cautions, problem })
     }
 
     /// What looks like a number in another unit, and a metal that flows.
