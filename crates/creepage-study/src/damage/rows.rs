@@ -14,14 +14,14 @@ impl SolvedCase {
     /// Rows of equal width, each of elements of equal length over its own. `None` where the theory
     /// gives no slip.
     pub(super) fn rows(&self) -> Option<Vec<Row>> {
-        self.rows_by_field().filter(|rows| {
+        self.sliding_rows().filter(|rows| {
             // A theory without slip, as the linear one, has a field that does no work.
             let power = |row: &Row| ElementState::power_per_metre(&row.elements);
             rows.iter().map(power).sum::<f64>() >= 0.5 * self.power_per_metre()
         })
     }
 
-    fn rows_by_field(&self) -> Option<Vec<Row>> {
+    fn sliding_rows(&self) -> Option<Vec<Row>> {
         let creepage = self.scaling().si_creepage(self.creepage());
         if self.areas().is_some() {
             let rows = of_elements(self.elements(), self.scaling(), self.load().value, creepage);
