@@ -77,7 +77,7 @@ fn rows_are_told_what_is_not_used_and_how_far_a_table_errs() {
     let ran = place.run_on(&["batch", "--case", "w.toml"], "y,curvature\n0.002,0.003\n");
     let said = "caution: column `curvature` is not used: it is the file's in all rows";
     assert!(ran.stderr.contains(said), "{}", ran.stderr);
-    let build = ["table", "build", "--theory", "fastsim", "--intervals", "4", "--places", "5"];
+    let build = ["table", "build", "--theory", "fastsim", "--intervals", "4,4,4", "--places", "5"];
     let built = place.run(&[&build[..], &["--out", "t.nc"]].concat());
     assert!(built.stderr.contains("of the moment"), "{}", built.stderr);
     let rows = "a_over_b,poisson,xi,eta,chi\n1,0.25,0.1,0,0\n";
