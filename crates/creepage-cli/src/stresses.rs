@@ -15,9 +15,6 @@ pub(crate) fn run(args: &StressesArgs) -> Result<Outcome, Failure> {
     let stresses = prepare(args)?;
     let failed = |source| Failure::Stresses { path: args.case.clone(), source };
     let asked = points.map(|points| stresses.at(&points)).transpose().map_err(failed)?;
-    for words in stresses.cautions(asked.as_deref().unwrap_or_default()) {
-        say(&format!("caution: {words}"));
-    }
     if let Some(directory) = &args.out {
         let sources = sources_of(&args.case).with(&Sources::new(&args.points));
         let written =
@@ -26,6 +23,9 @@ pub(crate) fn run(args: &StressesArgs) -> Result<Outcome, Failure> {
                 StressFileError::Stress(source) => failed(source),
             })?;
         say_written(&written);
+    }
+    for words in stresses.cautions(asked.as_deref().unwrap_or_default()) {
+        say(&format!("caution: {words}"));
     }
     match &asked {
         Some(points) if args.json => print(&to_json(&stresses.json("points", points))?)?,

@@ -209,7 +209,7 @@ impl StaticsFile {
         };
         let mut cautions = self.cautions(&problem);
         cautions.extend(self.contact.friction().ok().and_then(Caution::large_friction));
-        Ok(StaticsCase { cautions, problem })
+        Ok(StaticsCase { problem, cautions })
     }
 
     /// What looks like a number in another unit, and a metal that flows.
