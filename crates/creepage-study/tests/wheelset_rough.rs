@@ -100,7 +100,9 @@ fn with_hole(hole: [f64; 2]) -> String {
     let curve = Standard::S1002.profile();
     let points = curve.curve().stations(2.5e-4).into_iter().map(|s| curve.curve().at(s));
     let left = points.filter(|point| !(hole[0] < point.y && point.y < hole[1]));
-    left.map(|point| format!("{:.6} {:.6}\n", 1e3 * point.y, 1e3 * point.z)).collect()
+    left.map(|point| format!("{:.6} {:.6}", 1e3 * point.y, 1e3 * point.z))
+        .collect::<Vec<_>>()
+        .join("\n")
 }
 
 /// On a hole in the points the shape is made up; beside it nothing is said, nor of a profile by arcs.
