@@ -75,7 +75,7 @@ impl ThermalBody {
             let key = format!("{body}: {key}");
             value.ok_or(CaseError::Missing { section: SECTION.into(), key })
         });
-        let (density, specific_heat) = (density?, specific_heat?);
+        let (conductivity, density, specific_heat) = (conductivity?, density?, specific_heat?);
         // Below these no solid is: g/cm3, kJ.
         for (quantity, value, valid) in [
             ("density", density, "at least 10 kg/m3"),
@@ -85,7 +85,7 @@ impl ThermalBody {
                 return Err(CaseError::invalid(SECTION)(InvalidValue { quantity, value, valid }));
             }
         }
-        ThermalSolid::new(conductivity?, density, specific_heat)
+        ThermalSolid::new(conductivity, density, specific_heat)
             .map_err(CaseError::invalid(SECTION))
     }
 }
