@@ -85,8 +85,7 @@ impl ThermalBody {
                 return Err(CaseError::invalid(SECTION)(InvalidValue { quantity, value, valid }));
             }
         }
-        ThermalSolid::new(conductivity, density, specific_heat)
-            .map_err(CaseError::invalid(SECTION))
+        ThermalSolid::new(conductivity, density, specific_heat).map_err(CaseError::invalid(SECTION))
     }
 }
 
