@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _creepage
-from ._results import Number, Outcome, Status, by_name, names
+from ._results import Comparable, Number, Outcome, Status, by_name, names
 
 ERRORS = ("fx_error", "fy_error", "mz_error")
 COLUMNS = {
@@ -24,7 +24,7 @@ COLUMNS = {
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class CaseForce(Generic[Number, Outcome]):
+class CaseForce(Comparable, Generic[Number, Outcome]):
     """Forces of a case in SI units: floats and a Status, or arrays of one shape.
 
     Unpacks into longitudinal force, lateral force and moment.

@@ -16,7 +16,7 @@ from ._bulk import CaseForce, case_force
 from ._contact import Body, Hertz, columns, floats, number, sections
 from ._errors import AccuracyWarning, InvalidValue, UnitsWarning, UnlikeBodiesWarning
 from ._fit import COLUMNS, FrictionFit, fit
-from ._results import Codes, Floats, Status
+from ._results import Codes, Comparable, Floats, Status
 from ._solution import SiCreepage, Solution
 from ._theories import chosen, prepared
 from ._toml import Source, dumps, read
@@ -391,7 +391,7 @@ class Case:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Curve:
+class Curve(Comparable):
     """Creep-force curves of one or several theories, in SI units."""
 
     vary: Component

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from . import _creepage
 from ._contact import floats
-from ._results import Floats
+from ._results import Comparable, Floats
 
 COLUMNS = (
     "longitudinal",
@@ -39,7 +39,7 @@ class Fitted:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class FrictionFit:
+class FrictionFit(Comparable):
     """Friction found from measured forces, and each point beside the theory."""
 
     theory: str

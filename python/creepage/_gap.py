@@ -77,6 +77,13 @@ class Gap:
         """As `[gap]` of a case file has it."""
         return dict(self._section)
 
+    def __eq__(self, other: object) -> bool:
+        """The same section of a case file."""
+        return self._section == other._section if isinstance(other, Gap) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(dumps({"gap": self._section}))
+
     def __repr__(self) -> str:
         return f"<creepage.Gap by {next(iter(self._section), 'nothing')}>"
 

@@ -12,14 +12,14 @@ from numpy.typing import ArrayLike
 from . import _creepage
 from ._contact import Body, instance
 from ._errors import CaseError, UnitsWarning, UnlikeBodiesWarning
-from ._results import Floats, Number, by_name
+from ._results import Comparable, Floats, Number, by_name
 
 UNLIKE = 0.01
 """kappa/mu from which on leaving it out matters."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class CarterSolution(Generic[Number]):
+class CarterSolution(Comparable, Generic[Number]):
     """Carter's theory of two cylinders; lengths in units of the half-width, leading edge at 1."""
 
     creepage: Number
@@ -125,7 +125,7 @@ def line_contact(upper: Body, lower: Body, load: float) -> LineContact:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class ViscoelasticSolution(Generic[Number]):
+class ViscoelasticSolution(Comparable, Generic[Number]):
     """Two like viscoelastic cylinders in steady rolling, to +x; per metre of their length."""
 
     trailing_edge: Number

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from . import _creepage
 from ._contact import floats
-from ._results import Floats
+from ._results import Floats, same
 from ._wheelset_solver import _ASKED, Patch, WheelResult, _number, _rows
 
 _NAMES = (*(name for name in _ASKED if name != "roll_moment"), "friction")
@@ -130,6 +130,12 @@ class MapResult:
         patches = [_patch(row) for row in rows if row[4] > 0.0]
         patches.sort(key=lambda patch: -patch.normal_force)
         return WheelResult(force, moment, tuple(patches), self.pitch_rate, None)
+
+    def __eq__(self, other: object) -> bool:
+        """The same numbers; NaN is the same as NaN."""
+        return same(vars(self), vars(other)) if isinstance(other, MapResult) else NotImplemented
+
+    __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         x, y, z = self.wrench[:3]
@@ -297,6 +303,13 @@ class ContactMap:
             numbers[..., 21:25].reshape(*shape, 2, 2),
             status.reshape(shape),
         )
+
+    def __eq__(self, other: object) -> bool:
+        """The same map's file."""
+        return self._data == other._data if isinstance(other, ContactMap) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._data)
 
     def __repr__(self) -> str:
         error = self.error.tangential

@@ -60,6 +60,15 @@ class Reported:
     def __reduce__(self) -> tuple[Any, ...]:
         return _silently, (self._again,)
 
+    def __eq__(self, other: object) -> bool:
+        """The same report, to the last bit."""
+        if type(other) is not type(self):
+            return NotImplemented
+        return self._solved.json() == other._solved.json()
+
+    def __hash__(self) -> int:
+        return hash(self._solved.json())
+
     def to_dict(self) -> dict[str, Any]:
         """What `report.json` holds; the names carry their units."""
         report: dict[str, Any] = json.loads(self._solved.json())
@@ -143,3 +152,12 @@ class FromFile:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self).from_toml, (self._text, self._directory)
+
+    def __eq__(self, other: object) -> bool:
+        """The same file, which looks for others in the same directory."""
+        if type(other) is not type(self):
+            return NotImplemented
+        return (self._text, self._directory) == (other._text, other._directory)
+
+    def __hash__(self) -> int:
+        return hash((self._text, self._directory))

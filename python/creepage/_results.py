@@ -52,6 +52,37 @@ def by_name(record: Any) -> dict[str, Any]:
     return {field.name: getattr(record, field.name) for field in fields(record)}
 
 
+def same(one: Any, two: Any) -> bool:
+    """Whether two numbers, arrays, or lists and mappings of these are the same; NaN is the same as NaN."""
+    if isinstance(one, dict):
+        return (
+            isinstance(two, dict)
+            and one.keys() == two.keys()
+            and all(same(value, two[name]) for name, value in one.items())
+        )
+    if isinstance(one, (list, tuple)):
+        pairs = zip(one, two, strict=False) if isinstance(two, (list, tuple)) else ()
+        return type(one) is type(two) and len(one) == len(two) and all(same(a, b) for a, b in pairs)
+    if isinstance(one, (float, np.ndarray)):
+        has_nan = np.asarray(one).dtype.kind == "f" and np.asarray(two).dtype.kind == "f"
+        return np.array_equal(one, two, equal_nan=has_nan)
+    return bool(one == two)
+
+
+class Comparable:
+    """A dataclass that compares by its numbers; as arrays it has no hash."""
+
+    __slots__ = ()
+
+    def __eq__(self, other: object) -> bool:
+        """The same numbers, of the same kind; NaN is the same as NaN."""
+        if type(other) is not type(self):
+            return NotImplemented
+        return same(by_name(self), by_name(other))
+
+    __hash__ = None  # type: ignore[assignment]
+
+
 def names(codes: Status | Codes) -> str | NDArray[np.str_]:
     """Statuses in words."""
     if isinstance(codes, Status):
@@ -60,7 +91,7 @@ def names(codes: Status | Codes) -> str | NDArray[np.str_]:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Force(Generic[Number, Outcome]):
+class Force(Comparable, Generic[Number, Outcome]):
     """Force and moment on the lower body: floats and a Status, or arrays of one shape."""
 
     fx: Number
@@ -75,15 +106,6 @@ class Force(Generic[Number, Outcome]):
     def __iter__(self) -> Iterator[Number]:
         """fx, fy, mz: `fx, fy, mz = force`."""
         return iter((self.fx, self.fy, self.mz))
-
-    def __eq__(self, other: object) -> bool:
-        """The same numbers, of the same kind."""
-        if type(other) is not type(self):
-            return NotImplemented
-        pairs = zip(by_name(self).values(), by_name(other).values(), strict=True)
-        return all(np.array_equal(one, two, equal_nan=True) for one, two in pairs)
-
-    __hash__ = None  # type: ignore[assignment]
 
     @property
     def magnitude(self) -> Number:
@@ -121,7 +143,7 @@ ExactForceArray: TypeAlias = ExactForce[Floats, Codes]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Field:
+class Field(Comparable):
     """Traction and slip at points of the contact. Vectors have x and y in a last dimension."""
 
     position: Floats
@@ -167,7 +189,7 @@ class Field:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class SiField:
+class SiField(Comparable):
     """Pressure, traction and slip in SI units. Vectors have x and y in a last dimension."""
 
     position: Floats
@@ -234,7 +256,7 @@ class Found:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class CreepageCoefficients(Generic[Number]):
+class CreepageCoefficients(Comparable, Generic[Number]):
     """Coefficients of the linear theory; floats or arrays."""
 
     c11: Number

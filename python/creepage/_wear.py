@@ -15,13 +15,13 @@ from numpy.typing import ArrayLike
 
 from . import _creepage
 from ._contact import floats
-from ._results import Floats
+from ._results import Comparable, Floats
 from ._toml import dumps
 from ._wheelset import Wheelset
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class WornBody:
+class WornBody(Comparable):
     """A wheel or a rail over all stops, the new one first; SI units, NaN where a wheel has no such measure."""
 
     name: str
@@ -66,9 +66,9 @@ class Wear:
     ended: str | None
     """Where and why it ended before its distance, in words: the first of `limits` that was reached."""
 
-    def __init__(self, data: _creepage.WearData) -> None:
+    def __init__(self, wheelset: Wheelset, text: str | None, data: _creepage.WearData) -> None:
         """Made by `wear`."""
-        self._data = data
+        self._wheelset, self._text, self._data = wheelset, text, data
         self.distance, self.passages, self.steps, self.conicity = data.stops()
         self.is_solved, self.cautions = data.outcome()
         self.ended = data.ended()
@@ -78,6 +78,20 @@ class Wear:
             points = [points.reshape(-1, 2) for points, _ in profiles]
             depth = [depth for _, depth in profiles]
             self.bodies[name] = WornBody(name, points, depth, **data.numbers(name))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self._wheelset, self._text, self._data.saved())
+
+    def __eq__(self, other: object) -> bool:
+        """The same profiles at the same stops, to the last bit."""
+        return self._data.saved() == other._data.saved() if isinstance(other, Wear) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._data.saved())
+
+    def __repr__(self) -> str:
+        way = f"{self.distance[-1]:.4g} m, {len(self.distance)} stops"
+        return f"<creepage.Wear of {', '.join(self.bodies)}: {way}>"
 
     def to_dict(self) -> dict[str, Any]:
         """What `report.json` holds; the names carry their units."""
@@ -142,10 +156,16 @@ def wear(
         text = dumps({"wear": section})
     place = None if state is None else Path(state)
     data = _creepage.WearData.run(wheelset._data, text, wheelset._directory, place, progress)
-    worn = Wear(data)
+    worn = Wear(wheelset, text, data)
     for words in worn.cautions:
         warnings.warn(words, UserWarning, stacklevel=2)
     return worn
+
+
+def _restored(wheelset: Wheelset, text: str | None, saved: str) -> Wear:
+    """What ran before, from pickle."""
+    data = _creepage.WearData.restored(wheelset._data, text, wheelset._directory, saved)
+    return Wear(wheelset, text, data)
 
 
 def _rows(situations: Mapping[str, ArrayLike]) -> list[dict[str, float]]:

@@ -295,9 +295,9 @@ class Wheelset(FromFile):
         if theory is None:
             if options:
                 raise TypeError("options need a theory")
-            return WheelsetSolver(self._data)
+            return WheelsetSolver(self._data, (self, None, {}))
         lines = [f"{name} = {json.dumps(value)}" for name, value in options.items()]
-        return WheelsetSolver(self._data.by_theory(theory, lines))
+        return WheelsetSolver(self._data.by_theory(theory, lines), (self, theory, options))
 
     def roll(
         self,

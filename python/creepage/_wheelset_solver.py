@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from . import _creepage
 from ._contact import floats, number
-from ._results import Floats
+from ._results import Comparable, Floats, same
 
 _ASKED = (
     "y",
@@ -51,7 +51,7 @@ class Patch(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class WheelResult:
+class WheelResult(Comparable):
     """One wheel of a solved position."""
 
     force: Floats
@@ -71,14 +71,30 @@ class WheelResult:
 
 
 class WheelsetResult:
-    """A position of a wheelset, solved; the `start` of one nearby."""
+    """A position of a wheelset, solved; the `start` of one nearby.
+
+    A copy through pickle has all its numbers. As a `start` such a copy says nothing, and the solver begins from
+    nothing.
+    """
 
     def __init__(self, solved: _creepage.SolvedWheelset) -> None:
         """Made by `WheelsetSolver.solve`."""
-        self._solved = solved
+        self._solved: _creepage.SolvedWheelset | None = solved
         self._numbers = solved.numbers()
         self.y, self.z, self.roll, self.yaw = solved.position()
         self.status, self.cautions = solved.outcome()
+
+    def __getstate__(self) -> dict[str, Any]:
+        names = ("y", "z", "roll", "yaw", "status", "cautions", "_numbers", "_report", "_derivatives")
+        return {"_solved": None, **{name: getattr(self, name) for name in names}}
+
+    def __eq__(self, other: object) -> bool:
+        """The same numbers; NaN is the same as NaN."""
+        if not isinstance(other, WheelsetResult):
+            return NotImplemented
+        return same(self.__getstate__(), other.__getstate__())
+
+    __hash__ = None  # type: ignore[assignment]
 
     @property
     def pitch_rate(self) -> float:
@@ -110,20 +126,24 @@ class WheelsetResult:
 
     @cached_property
     def _report(self) -> dict[str, Any]:
+        assert self._solved is not None  # a copy has its report
         report: dict[str, Any] = json.loads(self._solved.json())
         return report
 
     @cached_property
+    def _derivatives(self) -> tuple[Floats, Floats] | None:
+        found = None if self._solved is None else self._solved.derivatives()
+        return None if found is None else (found[0].reshape(2, 6, 8), found[1].reshape(2, 6, 8))
+
+    @property
     def derivatives(self) -> Floats | None:
         """As `WheelsetSolution.derivatives`, of shape (2, 6, 8), where they were asked for."""
-        found = self._solved.derivatives()
-        return None if found is None else found[0].reshape(2, 6, 8)
+        return None if self._derivatives is None else self._derivatives[0]
 
-    @cached_property
+    @property
     def derivative_errors(self) -> Floats | None:
         """What the differences may have made of each."""
-        found = self._solved.derivatives()
-        return None if found is None else found[1].reshape(2, 6, 8)
+        return None if self._derivatives is None else self._derivatives[1]
 
     def __repr__(self) -> str:
         x, y, z = self.wrench[:3]
@@ -154,11 +174,26 @@ class WheelsetMany(NamedTuple):
 
 
 class WheelsetSolver:
-    """A wheelset prepared once and asked many times; made by `Wheelset.solver`."""
+    """A wheelset prepared once and asked many times; made by `Wheelset.solver`.
 
-    def __init__(self, data: _creepage.WheelsetData) -> None:
+    It may be pickled, as for the processes of a pool, and compared.
+    """
+
+    def __init__(self, data: _creepage.WheelsetData, made: tuple[Any, ...]) -> None:
         """Made by `Wheelset.solver`."""
-        self._data = data
+        self._data, self._made = data, made
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        wheelset, theory, options = self._made
+        return partial(wheelset.solver, theory, **options), ()
+
+    def __eq__(self, other: object) -> bool:
+        """The same wheelset, theory and options."""
+        return self._made == other._made if isinstance(other, WheelsetSolver) else NotImplemented
+
+    def __hash__(self) -> int:
+        wheelset, theory, _ = self._made
+        return hash((wheelset, theory))
 
     def solve(
         self,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from pathlib import Path
 from typing import Any
 
@@ -42,6 +43,9 @@ def test_its_file_and_arrays_have_the_same_bits(
     assert many.status[0] == "solved" and "outside the map" in many.status[1]
     assert np.isnan(many.right[1]).all()
     assert read.error == contact_map.error
+    copy = pickle.loads(pickle.dumps(contact_map))
+    assert copy == contact_map == read
+    assert pickle.loads(pickle.dumps(one)) == one == copy.solve(y=0.0003, axle_load=90e3)
 
 
 def test_outside_is_an_error_that_names_the_bound(contact_map: creepage.ContactMap) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import warnings
 from pathlib import Path
 from typing import Any
@@ -50,7 +51,10 @@ def test_profiles_and_measures_over_distance(tmp_path: Path) -> None:
     assert wear.to_dict()["rows"][-1]["depth_m"] == wear.bodies["wheel_right"].greatest_depth[2]
     picture = wear.svg("wheel")
     assert picture is not None and picture.startswith("<svg") and wear.svg("rail") is None
-    assert "wheel_right" in str(wear)
+    assert "wheel_right" in str(wear) and "wheel_right" in repr(wear)
+    again = pickle.loads(pickle.dumps(wear))
+    assert again == wear and again.text() == wear.text() and again.bodies["wheel_right"] == wheel
+    assert [path.name for path in again.save(tmp_path / "again")] == [path.name for path in written]
 
 
 def test_a_stopped_run_goes_on_to_the_same_bits(tmp_path: Path) -> None:

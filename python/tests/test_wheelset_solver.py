@@ -2,6 +2,7 @@
 
 import importlib.util
 import math
+import pickle
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +44,19 @@ def test_a_start_nearby_gives_the_same_within_the_load_s_bars(wheelset: creepage
     cold, warm = solver.solve(y=0.00305), solver.solve(y=0.00305, start=before)
     # A load is met to 1e-4, and friction follows it.
     assert np.abs(cold.wrench[:3] - warm.wrench[:3]).max() < 5e-4 * 200e3
+
+
+def test_a_solver_and_its_results_go_through_pickle(wheelset: creepage.Wheelset) -> None:
+    solver = wheelset.solver("fastsim")
+    copy = pickle.loads(pickle.dumps(solver))
+    assert copy == solver and copy != wheelset.solver("linear")
+    one = solver.solve(y=0.003, derivatives=True)
+    assert copy.solve(y=0.003, derivatives=True) == one
+    again = pickle.loads(pickle.dumps(one))
+    assert again == one and again.left == one.left and again != solver.solve(y=0.003)
+    assert again.derivatives.tolist() == one.derivatives.tolist()
+    # As a start it says nothing: the bits are those from nothing.
+    assert solver.solve(y=0.00305, start=again) == solver.solve(y=0.00305)
 
 
 def test_many_rows_have_the_bits_of_each_alone(wheelset: creepage.Wheelset) -> None:

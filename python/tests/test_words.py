@@ -168,6 +168,10 @@ def test_solutions_go_through_pickle():
     ):
         again = pickle.loads(pickle.dumps(solved))
         assert again.to_dict() == solved.to_dict()
+        assert again == solved and hash(again) == hash(solved)
+    assert gap.solve("fastsim") != gap.solve("linear")
+    assert pickle.loads(pickle.dumps(gap)) == gap and pickle.loads(pickle.dumps(wheelset)) == wheelset
+    assert creepage.Gap.polynomial([(2, 0, 1.1)]) != creepage.Gap.polynomial([(2, 0, 1.2)])
 
 
 def test_batch_says_what_it_gives():

@@ -1,6 +1,7 @@
 //! Python class of contact maps of wheelsets: built, kept in a file, asked.
 
 use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -11,6 +12,7 @@ use creepage_study::{MapBuildError, MapPlan, MapResolution, WheelsetCase, WholeF
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 use rayon::prelude::*;
 
 use crate::errors;
@@ -129,10 +131,37 @@ impl ContactMapData {
         Ok(Self { map: Arc::new(map.map_err(named)?) })
     }
 
+    /// A map of the bytes of its file.
+    #[staticmethod]
+    fn from_bytes(py: Python, bytes: Vec<u8>) -> PyResult<Self> {
+        let map = py.detach(|| ContactMap::from_bytes(bytes));
+        let map = map.map_err(|error| errors::no_table(py, &error.to_string()))?;
+        Ok(Self { map: Arc::new(map) })
+    }
+
+    fn __reduce__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>,))> {
+        let make = py.get_type::<Self>().getattr("from_bytes")?;
+        Ok((make, (PyBytes::new(py, &self.bytes(py)?),)))
+    }
+
+    /// Whether both have the same file.
+    fn __eq__(&self, py: Python, other: &Bound<PyAny>) -> PyResult<bool> {
+        let Ok(other) = other.cast::<Self>() else { return Ok(false) };
+        Ok(self.bytes(py)? == other.get().bytes(py)?)
+    }
+
+    fn __hash__(&self, py: Python) -> PyResult<u64> {
+        let mut hasher = DefaultHasher::new();
+        self.bytes(py)?.hash(&mut hasher);
+        Ok(hasher.finish())
+    }
+
     /// Writes the map's file, which appears when it is whole.
     fn save(&self, py: Python, path: PathBuf) -> PyResult<()> {
-        let bytes = py.detach(|| self.map.to_bytes());
-        let bytes = bytes.map_err(|error| errors::no_table(py, &error.to_string()))?;
+        let bytes = self.bytes(py)?;
         let write = || {
             let mut file = WholeFile::create(&path)?;
             file.write_all(&bytes)?;
@@ -225,6 +254,14 @@ impl ContactMapData {
         };
         let (out, wrong) = detached(py, solve)?;
         Ok((PyArray1::from_slice(py, out.as_flattened()), wrong))
+    }
+}
+
+impl ContactMapData {
+    /// The bytes of its file.
+    fn bytes(&self, py: Python) -> PyResult<Vec<u8>> {
+        let bytes = py.detach(|| self.map.to_bytes());
+        bytes.map_err(|error| errors::no_table(py, &error.to_string()))
     }
 }
 

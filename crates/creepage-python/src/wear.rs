@@ -1,6 +1,6 @@
 //! Python class of wear over a distance.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -43,13 +43,7 @@ impl WearData {
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Self> {
         let case = wheelset.case.clone();
-        let plan = match text {
-            Some(text) => WearPlan::read(text, &case, &directory),
-            None => WheelsetFile::read(&wheelset.text)
-                .map_err(WearError::from)
-                .and_then(|file| file.wear(&case, &directory)),
-        };
-        let plan = plan.map_err(|error| raised(py, error))?;
+        let plan = plan_of(py, &wheelset, text, &directory)?;
         let asked = plan.clone();
         let work = move |stop: &AtomicBool| {
             let failed = Mutex::new(None);
@@ -74,6 +68,25 @@ impl WearData {
         }
         let wear = wear.map_err(|error| raised(py, error))?;
         Ok(Self { wear, case, plan: asked })
+    }
+
+    /// The same of what [`WearData::saved`] gave: nothing is run again.
+    #[staticmethod]
+    fn restored(
+        py: Python,
+        wheelset: PyRef<WheelsetData>,
+        text: Option<&str>,
+        directory: PathBuf,
+        saved: &str,
+    ) -> PyResult<Self> {
+        let plan = plan_of(py, &wheelset, text, &directory)?;
+        let wear = serde_json::from_str(saved).map_err(|e| errors::internal(&e.to_string()))?;
+        Ok(Self { wear, case: wheelset.case.clone(), plan })
+    }
+
+    /// All that it found, as text.
+    fn saved(&self) -> PyResult<String> {
+        serde_json::to_string(&self.wear).map_err(|e| errors::internal(&e.to_string()))
     }
 
     /// Names of the bodies that wear.
@@ -163,6 +176,22 @@ impl WearData {
         let write = || self.wear.write(&self.case, &self.plan, &directory, &Sources::default());
         detached(py, write)?.map_err(|error| raised(py, error))
     }
+}
+
+/// The plan of the `[wear]` of a text, or of the wheelset's own file.
+fn plan_of(
+    py: Python,
+    wheelset: &WheelsetData,
+    text: Option<&str>,
+    directory: &Path,
+) -> PyResult<WearPlan> {
+    let plan = match text {
+        Some(text) => WearPlan::read(text, &wheelset.case, directory),
+        None => WheelsetFile::read(&wheelset.text)
+            .map_err(WearError::from)
+            .and_then(|file| file.wear(&wheelset.case, directory)),
+    };
+    plan.map_err(|error| raised(py, error))
 }
 
 fn raised(py: Python, error: WearError) -> PyErr {

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use serde::{Deserialize, Serialize};
+
 use super::error::WearError;
 use super::limits::{self, WearEnd};
 use super::rates::Rates;
@@ -25,7 +27,7 @@ const BALANCE: f64 = 1e-6;
 pub type WearProgress<'a> = &'a mut dyn FnMut(f64, &[WearStop]) -> bool;
 
 /// Wear over a distance: profiles at every stop, from new on.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Wear {
     /// The stops, the new profiles first.
     pub stops: Vec<WearStop>,
