@@ -127,7 +127,8 @@ impl AnyCase {
                 let of_areas = areas.flat_map(|areas| {
                     Caution::of_areas(areas).chain(Caution::large_areas(&case.gap, areas))
                 });
-                of_areas.chain(Caution::large_creepage(si)).collect()
+                let spin = Caution::large_spin(si.spin, contact.scaling().length);
+                of_areas.chain(Caution::large_creepage(si)).chain(spin).collect()
             }
         }
     }

@@ -226,3 +226,30 @@ fn loads_without_slip_beyond_friction_are_told() {
     let friction = twist(-3000.0).unwrap();
     assert!(friction > 5.0 && friction < 15.0, "{friction}");
 }
+
+/// A given coefficient is what counts, and a die has none.
+#[test]
+fn loads_beyond_the_friction_that_is_given_are_told() {
+    let told = |force: f64| {
+        let statics = format!("problem = \"shift\"\nforce_x = {force}\nforce_y = 0.0");
+        let case = with("normal_force = 80e3\nfriction = 0.3", &statics);
+        solved(&case).cautions.iter().any(|c| matches!(c, Caution::NeedsFriction { .. }))
+    };
+    assert!(!told(23.9e3) && told(24.1e3));
+}
+
+/// Loads in other units move bodies by more than their contact.
+#[test]
+fn bodies_that_are_moved_by_metres_are_told() {
+    let moved = |force: f64| {
+        let statics = format!("problem = \"shift\"\nforce_x = {force}\nforce_y = 0.0");
+        solved(&with("normal_force = 80e3", &statics)).cautions.into_iter().find_map(|caution| {
+            let Caution::LargeShift { shift, half_width } = caution else { return None };
+            Some(shift / half_width)
+        })
+    };
+    assert_eq!(moved(20e3), None);
+    // A shift grows with its force.
+    let [one, other] = [20e9, 40e9].map(|force| moved(force).unwrap());
+    assert!(one > 0.3 && (other / one - 2.0).abs() < 1e-12, "{one}, {other}");
+}

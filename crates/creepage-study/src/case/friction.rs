@@ -198,6 +198,11 @@ impl LawTable {
         };
         let term = |term: &TermTable| Term { drop: term.drop, half_speed: term.half_speed };
         let terms: Vec<_> = self.terms.iter().map(term).collect();
+        if let Some(Term { half_speed: value, .. }) = terms.iter().find(|t| t.half_speed > 100.0) {
+            let (quantity, valid) = ("half_speed", "positive, at most 100 m/s");
+            let invalid = InvalidValue { quantity, value: *value, valid };
+            return Err(CaseError::invalid("contact friction")(invalid));
+        }
         FrictionLaw::new(shape, self.kinetic, &terms)
             .map_err(CaseError::invalid("contact friction"))
     }

@@ -1,12 +1,14 @@
 //! `[layer]`: a layer between the bodies.
 
-use creepage::{Layer, Plasticity};
+use creepage::{InvalidValue, Layer, Plasticity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::error::CaseError;
 
 const SECTION: &str = "layer";
+/// No layer that bodies roll on is as soft (Pa): a smaller number is in MPa.
+const SOFTEST: f64 = 1e3;
 
 /// A thin layer between the bodies, such as oxide, sand or clay: it shears, and may yield.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
@@ -25,6 +27,13 @@ pub(crate) struct LayerSection {
 
 impl LayerSection {
     pub(crate) fn layer(&self) -> Result<Layer, CaseError> {
+        let soft = [("shear_modulus", Some(self.shear_modulus)), ("yield_stress", self.yield_stress)];
+        for (quantity, value) in soft {
+            if let Some(value) = value.filter(|value| *value > 0.0 && *value < SOFTEST) {
+                let valid = "at least 1e3 Pa";
+                return Err(CaseError::invalid(SECTION)(InvalidValue { quantity, value, valid }));
+            }
+        }
         let layer = Layer::elastic(self.thickness, self.shear_modulus);
         let layer = layer.map_err(CaseError::invalid(SECTION))?;
         match (self.yield_stress, self.slope) {

@@ -97,6 +97,13 @@ pub enum Caution {
         /// The smallest radius of the bodies (m); that of the contact where none is given.
         radius: f64,
     },
+    /// A load moves the bodies as far as no solid: a number may be in another unit.
+    LargeShift {
+        /// How far (m).
+        shift: f64,
+        /// The smaller half-width of the contact (m).
+        half_width: f64,
+    },
     /// No solid bears the pressure: a number may be in another unit.
     HighPressure {
         /// The peak pressure (Pa).
@@ -245,6 +252,18 @@ pub enum Caution {
     Hot {
         /// The highest temperature of the contact (°C).
         temperature: f64,
+    },
+    /// A spin that no rolling body has: it may not be in radians per metre.
+    LargeSpin {
+        /// Spin (rad/m).
+        spin: f64,
+        /// The slip that it makes at the side of the contact, over the rolling velocity.
+        slip: f64,
+    },
+    /// The smallest radius is that of no machine: it may be in millimetres.
+    LargeRadius {
+        /// The radius (m).
+        radius: f64,
     },
     /// A creepage that a wheel does not have: it may be in per cent or in degrees.
     LargeCreepage {

@@ -32,7 +32,14 @@ impl Caution {
         let radius = smallest_radius.unwrap_or(0.5 / along.max(across));
         let contact = Self::large_contact(hertz.ellipse().major(), radius);
         let pressure = Self::moduli(hertz.peak_pressure(), hertz.pair().shear_modulus());
-        contact.into_iter().chain(pressure).chain(Self::large_creepage(creepage)).collect()
+        let large = smallest_radius.filter(|radius| radius.is_finite() && *radius > Self::RADIUS);
+        contact
+            .into_iter()
+            .chain(pressure)
+            .chain(large.map(|radius| Self::LargeRadius { radius }))
+            .chain(Self::large_creepage(creepage))
+            .chain(Self::large_spin(creepage.spin, hertz.ellipse().c()))
+            .collect()
     }
 
     /// The same of a line contact: its half-width and the smallest radius (m), its peak pressure and the
@@ -69,6 +76,8 @@ impl Caution {
 
     /// Combined shear modulus (Pa) above which both bodies are harder than diamond (535e9).
     const DIAMOND: f64 = 600e9;
+    /// Smallest radius (m) of both bodies above which it is a caution.
+    const RADIUS: f64 = 100.0;
     /// Coefficient of friction above which it is a caution: clean metals in air and rubber stay below.
     pub(crate) const FRICTION: f64 = 2.0;
 
@@ -85,9 +94,14 @@ impl Caution {
         (friction > Self::FRICTION).then_some(Self::LargeFriction { friction })
     }
 
-    /// A load without slip that takes such a one.
-    pub(crate) fn needs_friction(friction: f64) -> Option<Self> {
-        (friction > Self::FRICTION).then_some(Self::NeedsFriction { friction })
+    /// A load without slip that takes more than is given, or such a one.
+    pub(crate) fn needs_friction(friction: f64, given: Option<f64>) -> Option<Self> {
+        (friction > given.unwrap_or(Self::FRICTION)).then_some(Self::NeedsFriction { friction })
+    }
+
+    /// Bodies that a load moves far beside the half-width of their contact (m).
+    pub(crate) fn large_shift([shift, half_width]: [f64; 2]) -> Option<Self> {
+        (shift > Self::LARGE * half_width).then_some(Self::LargeShift { shift, half_width })
     }
 
     /// The components of a creepage that no wheel has.
@@ -98,16 +112,26 @@ impl Caution {
         large.map(|(component, value)| Self::LargeCreepage { component, value })
     }
 
+    /// A spin (rad/m) that slips at the side of a contact of half-width `length` (m) as fast as no body rolls: those of
+    /// bodies that roll are the sine of an angle over their radius.
+    pub(crate) fn large_spin(spin: f64, length: f64) -> Option<Self> {
+        let slip = spin.abs() * length;
+        (slip > Self::LARGE).then_some(Self::LargeSpin { spin, slip })
+    }
+
     /// Whether it is one of [`Caution::units`].
     #[must_use]
     pub fn is_of_units(&self) -> bool {
         matches!(
             self,
             Self::LargeContact { .. }
+                | Self::LargeShift { .. }
                 | Self::HighPressure { .. }
                 | Self::HighModulus { .. }
                 | Self::LargeFriction { .. }
                 | Self::LargeCreepage { .. }
+                | Self::LargeSpin { .. }
+                | Self::LargeRadius { .. }
                 | Self::Shallow { .. }
         )
     }

@@ -101,10 +101,13 @@ impl fmt::Display for Caution {
             | Self::SlowHeat { .. }
             | Self::Hot { .. } => self.write_heat(f),
             Self::LargeContact { .. }
+            | Self::LargeShift { .. }
             | Self::HighPressure { .. }
             | Self::HighModulus { .. }
             | Self::LargeFriction { .. }
             | Self::Shallow { .. }
+            | Self::LargeSpin { .. }
+            | Self::LargeRadius { .. }
             | Self::LargeCreepage { .. } => self.write_units(f),
         }
     }
@@ -293,6 +296,13 @@ impl Caution {
                 significant(semi_axis, 4),
                 significant(radius, 4)
             ),
+            Self::LargeShift { shift, half_width } => write!(
+                f,
+                "the load moves the bodies by {} m, more than 0.3 of the contact's half-width, {} m: no solid \
+                 bears that; check the units of moduli, lengths and load (Pa, m, N)",
+                significant(shift, 4),
+                significant(half_width, 4)
+            ),
             Self::HighPressure { peak_pressure, shear_modulus } => write!(
                 f,
                 "the peak pressure of {} exceeds the shear modulus of {}: check the units of \
@@ -317,6 +327,18 @@ impl Caution {
                  rough: loads are in N",
                 quantity(load, "N", 3),
                 significant(1e6 * approach, 2)
+            ),
+            Self::LargeSpin { spin, slip } => write!(
+                f,
+                "the spin of {} rad/m makes the surfaces slip at the side of the contact by {} of the rolling \
+                 velocity, above 0.3: it is in radians per metre rolled",
+                significant(spin, 4),
+                significant(slip, 3)
+            ),
+            Self::LargeRadius { radius } => write!(
+                f,
+                "the smallest radius of the bodies is {} m: radii are in metres",
+                significant(radius, 4)
             ),
             Self::LargeCreepage { component, value } => write!(
                 f,

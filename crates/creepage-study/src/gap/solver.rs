@@ -201,7 +201,9 @@ impl GapCase {
             held,
             |solution, creepage| {
                 let mut cautions = Caution::all(&self.theory, contact, solution);
-                cautions.extend(Caution::large_creepage(scaling.si_creepage(creepage)));
+                let si = scaling.si_creepage(creepage);
+                cautions.extend(Caution::large_creepage(si));
+                cautions.extend(Caution::large_spin(si.spin, scaling.length));
                 let shear_yield = self.damage.as_ref().map(|damage| damage.constants.shear_yield);
                 if let Some(areas) = contact.areas() {
                     cautions.extend(Caution::large_areas(&self.gap, areas));

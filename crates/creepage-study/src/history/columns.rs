@@ -115,10 +115,13 @@ impl History {
             Prescribed::Force(_) => 0.0,
         };
         self.rows.iter().enumerate().find_map(|(index, row)| {
-            let Motion { longitudinal, lateral, .. } = row.motion.motion;
-            let [longitudinal, lateral] = [longitudinal, lateral].map(si);
-            let caution = Caution::large_creepage(SiCreepage { longitudinal, lateral, spin: 0.0 });
-            Some((index + 1, caution.into_iter().next()?))
+            let Motion { longitudinal, lateral, spin } = row.motion.motion;
+            let length = case.scaling.length;
+            let [longitudinal, lateral, slip] = [longitudinal, lateral, spin].map(si);
+            let si = SiCreepage { longitudinal, lateral, spin: slip / length };
+            let mut large =
+                Caution::large_creepage(si).chain(Caution::large_spin(si.spin, length));
+            Some((index + 1, large.next()?))
         })
     }
 }

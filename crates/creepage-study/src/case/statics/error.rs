@@ -59,6 +59,9 @@ pub enum StaticsError {
     /// An upper body where the problem has none.
     #[error("section [upper] has no place in problem \"die\": the die is rigid")]
     DieWithUpper,
+    /// Friction where the problem has none.
+    #[error("[contact] friction has no place in problem \"die\": the die is taken as smooth")]
+    DieWithFriction,
     /// The load lies so far out that the die lifts off on the opposite side (3.27b).
     #[error(
         "[statics] offset_x = {:?}, offset_y = {:?}: the die lifts off, for the load lies {:?} \

@@ -209,6 +209,7 @@ impl StaticsFile {
         };
         let mut cautions = self.cautions(&problem);
         cautions.extend(self.contact.friction().ok().and_then(Caution::large_friction));
+        cautions.extend(Caution::large_shift(moved(&problem)));
         Ok(StaticsCase { problem, cautions })
     }
 
@@ -246,7 +247,8 @@ impl StaticsFile {
         let radius = smallest_radius([upper, &self.lower]);
         let mut all = Caution::of_hertz(&hertz, radius);
         all.extend(unlike);
-        all.extend(Caution::needs_friction(needed_friction(problem, &hertz)));
+        let given = self.contact.friction().ok();
+        all.extend(Caution::needs_friction(needed_friction(problem, &hertz), given));
         all
     }
 
@@ -257,6 +259,9 @@ impl StaticsFile {
         let solid = self.lower.solid("lower")?;
         let base = self.contact.base(&self.lower)?;
         let normal_force = self.contact.normal_force()?;
+        if self.contact.friction().is_ok() {
+            return Err(StaticsError::DieWithFriction);
+        }
         let offset = self.statics.offset();
         let die = Die::new(solid, base, normal_force, offset)
             .map_err(|source| StaticsError::die(offset, source))?;
@@ -392,6 +397,37 @@ impl StaticsFile {
         self.upper
             .as_ref()
             .ok_or_else(|| CaseError::MissingSection { section: "upper".into(), needs: needs() })
+    }
+}
+
+/// How far a load moves the bodies, and the smaller half-width of their contact (m).
+fn moved(problem: &StaticsProblem) -> [f64; 2] {
+    match problem {
+        StaticsProblem::Die { base, die, .. } => [die.indentation(), base.minor()],
+        StaticsProblem::Shift { ellipse, bonded, .. } => {
+            let [x, y] = bonded.shift();
+            [x.hypot(y), ellipse.minor()]
+        }
+        // The ends of the longer semi-axis move farthest.
+        StaticsProblem::Twist { ellipse, bonded, .. } => {
+            [bonded.twist().abs() * ellipse.major(), ellipse.major()]
+        }
+        StaticsProblem::PartialSlip { contact, partial, .. } => {
+            let [x, y] = partial.shift();
+            [x.hypot(y), contact.ellipse().minor()]
+        }
+        StaticsProblem::ShiftPath { contact, steps, .. } => {
+            let shifts = steps.iter().map(|step| step.shift().abs());
+            [shifts.fold(0.0, f64::max), contact.ellipse().minor()]
+        }
+        StaticsProblem::Compression { contact, compression } => {
+            [compression.approach(), contact.ellipse().minor()]
+        }
+        StaticsProblem::ShearedRectangle { steps, .. } => {
+            let shifts = steps.iter().map(|step| step.shift().abs());
+            let halves = steps.iter().flat_map(ShearedRectangle::half_lengths);
+            [shifts.fold(0.0, f64::max), halves.fold(f64::INFINITY, f64::min)]
+        }
     }
 }
 
