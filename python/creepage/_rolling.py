@@ -77,7 +77,7 @@ class Rolling:
         Each component of the motion is given as a creepage (spin in rad/m) or as the force on the
         lower body (N, N m) that causes it. If neither is given, its creepage is zero. normal_force
         (N): the case's own if not given. Raises InvalidValue and ValueError, the contact being as
-        it was; warns where a step did not converge.
+        it was; warns where a step did not converge, and of a creepage above .3.
         """
         given = {
             "distance": distance,
@@ -92,7 +92,9 @@ class Rolling:
         values = [(name, value) for name, value in given.items() if value is not None]
         for name, value in values:
             number(name, value)
-        rolled, creepage, force, share, code = self._data.step(values)
+        rolled, creepage, force, share, code, caution = self._data.step(values)
+        if caution is not None:
+            warnings.warn(caution, stacklevel=2)
         status = Status(code)
         if status is Status.NOT_CONVERGED:
             warnings.warn(

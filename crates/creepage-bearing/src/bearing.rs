@@ -85,7 +85,8 @@ impl BallBearing {
         // A number above it is in another unit.
         let (ball, valid) = (self.ball_diameter, "positive, at most 1 m");
         check("ball diameter", ball, ball > 0.0 && ball <= 1.0, valid)?;
-        check("density", self.density, is_positive(self.density), positive)?;
+        let density = self.density;
+        check("density", density, density >= 10.0 && density.is_finite(), "at least 10 kg/m3")?;
         check("friction", self.friction, is_positive(self.friction), positive)?;
         let pitch = self.pitch_diameter;
         let valid = "above the ball's diameter, at most 20 m";

@@ -2,6 +2,7 @@
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use creepage::SiCreepage;
 use creepage_study::{
     Caution, HISTORY_COLUMNS, History, HistoryError, HistoryRun, RollFile, RollStart, RollStepper,
 };
@@ -18,8 +19,8 @@ pub struct RollingData {
     stepper: Mutex<RollStepper>,
 }
 
-/// Distance (m), creepage in SI units, force in SI units, share of adhesion, status.
-type Step = (f64, [f64; 3], [f64; 3], f64, u8);
+/// Distance (m), creepage in SI units, force in SI units, share of adhesion, status, what the motion is in doubt for.
+type Step = (f64, [f64; 3], [f64; 3], f64, u8, Option<String>);
 
 /// The file of a contact that rolls, or that of a steady case without its creepage.
 fn file(text: &str, is_case: bool, start: Option<Start>) -> Result<RollFile, HistoryError> {
@@ -62,6 +63,12 @@ impl RollingData {
             let rolled = stepper.step(&given)?;
             let units = stepper.case().scaling;
             let creepage = units.si_creepage(rolled.creepage);
+            let asked = |name| {
+                given.iter().find(|(known, _)| *known == name).map_or(0.0, |(_, value)| *value)
+            };
+            let [longitudinal, lateral, spin] = ["longitudinal", "lateral", "spin"].map(asked);
+            let asked = SiCreepage { longitudinal, lateral, spin };
+            let caution = stepper.case().caution_of_motion(asked).map(|caution| caution.to_string());
             let force = units.si_force(rolled.solution.force);
             Ok((
                 rolled.distance * units.length,
@@ -69,6 +76,7 @@ impl RollingData {
                 [force.longitudinal, force.lateral, force.moment],
                 rolled.adhesion_share,
                 results::code(rolled.solution.status),
+                caution,
             ))
         };
         py.detach(step).map_err(|error| errors::history(py, error))

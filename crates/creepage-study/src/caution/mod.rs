@@ -260,6 +260,13 @@ pub enum Caution {
         /// The slip that it makes at the side of the contact, over the rolling velocity.
         slip: f64,
     },
+    /// A wheelset yaws as none runs: the angle may be in degrees or milliradians.
+    LargeYaw {
+        /// Yaw (rad).
+        yaw: f64,
+    },
+    /// The guard rails are left out.
+    NoGuard,
     /// The smallest radius is that of no machine: it may be in millimetres.
     LargeRadius {
         /// The radius (m).
@@ -294,6 +301,8 @@ impl Caution {
     const CLIMB: f64 = 2e-3;
     /// Height (m) from which a flange rides on the rail; flanges are 27 to 36 mm high.
     const RIDES: f64 = 15e-3;
+    /// Yaw (rad) from which a wheelset does not run: between axles 2 m apart on a curve of 10 m it is .1.
+    const YAW: f64 = 0.15;
     /// Part of its load that a wheel may miss without a word: ten times what loads are met to.
     const MISSED: f64 = 1e-3;
     /// Approach (m) beyond that of any elastic contact of a wheel: 1 MN on a wheel gives .5 mm.
@@ -336,6 +345,11 @@ impl Caution {
     /// A wheel under `load` (N) that is pressed on its rail by no more than both are rough.
     pub(crate) fn shallow(approach: f64, load: f64) -> Option<Self> {
         (approach > 0.0 && approach < Self::SHALLOW).then_some(Self::Shallow { approach, load })
+    }
+
+    /// The yaw (rad) of a wheelset that no track gives it.
+    pub(crate) fn large_yaw(yaw: f64) -> Option<Self> {
+        (yaw.abs() > Self::YAW).then_some(Self::LargeYaw { yaw })
     }
 
     /// Of a wheel a large creepage says that it spins or is locked.

@@ -23,6 +23,8 @@ impl fmt::Display for Caution {
             | Self::BeyondSlices
             | Self::Climbs { .. }
             | Self::GuardApart { .. }
+            | Self::NoGuard
+            | Self::LargeYaw { .. }
             | Self::LoadMissed { .. }
             | Self::Deep { .. }
             | Self::Groove { .. }
@@ -169,6 +171,15 @@ impl Caution {
                 f,
                 "the back of the flange does not touch the guard rail: {} mm lie between them",
                 significant(1e3 * clearance, 4)
+            ),
+            Self::NoGuard => {
+                f.write_str("the guard rail is left out: this is of the running rails alone")
+            }
+            Self::LargeYaw { yaw } => write!(
+                f,
+                "the wheelset yaws by {} rad, {} degrees, as none runs: angles are in radians",
+                significant(yaw, 3),
+                significant(yaw.to_degrees(), 3)
             ),
             Self::LoadMissed { missed, load } => write!(
                 f,

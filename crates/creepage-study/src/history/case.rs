@@ -8,7 +8,7 @@ use creepage::friction_law::RollingFriction;
 use creepage::normal::NormalContact;
 use creepage::unsteady::{Prescribed, Rolled, Rolling, RollingFastsim, RollingVariational};
 use creepage::variational::{self, VariationalError};
-use creepage::{AddedSlip, Contact, Force, InvalidValue, Layer, Scaling};
+use creepage::{AddedSlip, Contact, Force, InvalidValue, Layer, Scaling, SiCreepage};
 
 use super::error::HistoryError;
 use super::roller::{HistoryMotion, TransientSolver};
@@ -27,6 +27,15 @@ pub struct RollCase {
     pub cautions: Vec<Caution>,
     pub(super) kind: Kind,
     pub(super) start: Start,
+}
+
+impl RollCase {
+    /// What a motion is in doubt for that no rolling body has: it may be in per cent or in degrees.
+    #[must_use]
+    pub fn caution_of_motion(&self, creepage: SiCreepage) -> Option<Caution> {
+        let spin = Caution::large_spin(creepage.spin, self.scaling.length);
+        Caution::large_creepage(creepage).chain(spin).next()
+    }
 }
 
 #[allow(clippy::large_enum_variant)] // one a case

@@ -116,12 +116,9 @@ impl History {
         };
         self.rows.iter().enumerate().find_map(|(index, row)| {
             let Motion { longitudinal, lateral, spin } = row.motion.motion;
-            let length = case.scaling.length;
             let [longitudinal, lateral, slip] = [longitudinal, lateral, spin].map(si);
-            let si = SiCreepage { longitudinal, lateral, spin: slip / length };
-            let mut large =
-                Caution::large_creepage(si).chain(Caution::large_spin(si.spin, length));
-            Some((index + 1, large.next()?))
+            let si = SiCreepage { longitudinal, lateral, spin: slip / case.scaling.length };
+            Some((index + 1, case.caution_of_motion(si)?))
         })
     }
 }

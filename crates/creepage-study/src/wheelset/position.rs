@@ -93,7 +93,11 @@ impl WheelsetSection {
         let (mass, height) = match (self.mass, self.centre_height) {
             (Some(mass), Some(height)) => (mass, height),
             (None, None) if track.superelevation.is_none() => return Ok(None),
-            (None, None) if self.load()?.is_some() => return Ok(None),
+            (None, None) => {
+                let Some(load) = self.load()? else { return Err(missing("mass").into()) };
+                let (first, second) = (("track", "superelevation"), (WHEELSET, load.key()));
+                return Err(CaseError::Conflict { first, second }.into());
+            }
             (None, _) => return Err(missing("mass").into()),
             (_, None) => return Err(missing("centre_height").into()),
         };

@@ -83,6 +83,7 @@ pub fn wheelset_caution_words(solved: &SolvedWheelset) -> Vec<String> {
 
 fn words(cautions: &[(Side, Caution)]) -> Vec<String> {
     let words = |(side, caution): &(Side, Caution)| match side {
+        _ if matches!(caution, Caution::LargeYaw { .. }) => caution.to_string(),
         Side::Left => format!("left wheel: {caution}"),
         Side::Right => format!("right wheel: {caution}"),
     };
@@ -95,6 +96,8 @@ fn cautions<'a>(
 ) -> Vec<(Side, Caution)> {
     let climbs = |wheel: &SolvedWheel| Some((wheel.side, Caution::climbs(wheel.height())?));
     let mut all: Vec<(Side, Caution)> = solved.wheels().filter_map(climbs).collect();
+    let yaws = Caution::large_yaw(solved.position().yaw);
+    all.extend(solved.wheels().next().zip(yaws).map(|(wheel, yaws)| (wheel.side, yaws)));
     for wheel in solved.wheels() {
         let missed = Caution::load_missed(wheel.on_rail().force[2], wheel.missed_load);
         all.extend(missed.map(|missed| (wheel.side, missed)));
@@ -178,7 +181,10 @@ impl WheelsetCase {
                 Some((side, Caution::climbs(-touch.z)?))
             })
         };
-        let mut all: Vec<_> = [Side::Left, Side::Right].into_iter().filter_map(climbs).collect();
+        let sides = [Side::Left, Side::Right];
+        let mut all: Vec<_> = sides.into_iter().filter_map(climbs).collect();
+        let guarded = sides.into_iter().filter(|side| self.running.track().rail(*side).guard().is_some());
+        all.extend(guarded.map(|side| (side, Caution::NoGuard)));
         let steel = || Solid::new(82e9, 0.28).map(|solid| SolidPair::new(solid, solid));
         let unmeasured = unmeasured_profiles(&self.running, difference, rolls);
         all.extend(unmeasured.into_iter().map(|(side, stretch)| (side, stretch.into())));
