@@ -131,6 +131,8 @@ def test_errors_name_what_is_wrong() -> None:
         creepage.roll(wheel(), {"distance": ["0.01"]})
     with pytest.warns(UserWarning, match="row 1: the longitudinal creepage of 1.5"):
         creepage.roll(wheel(), {"distance": [1e-3], "longitudinal": [1.5]})
+    with pytest.warns(UserWarning, match="longitudinal creepage of 1.5"):
+        rolling.step(1e-3, longitudinal=1.5)
     with pytest.raises(ValueError, match="no state"):
         rolling.restore(state[:-1])
     with pytest.raises(ValueError, match="another contact"):
