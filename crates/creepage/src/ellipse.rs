@@ -101,6 +101,19 @@ impl Ellipse {
         PI * self.a * self.b
     }
 
+    /// Mean distance from the middle under Hertz's pressure: the moment of a contact that slides all around its middle,
+    /// the largest that friction gives, over `mu N`.
+    ///
+    /// ```
+    /// let circle = creepage::Ellipse::new(1.0, 1.0)?;
+    /// assert!((circle.friction_arm() - 3.0 * std::f64::consts::PI / 16.0).abs() < 1e-14);
+    /// # Ok::<(), creepage::InvalidValue>(())
+    /// ```
+    #[must_use]
+    pub fn friction_arm(&self) -> f64 {
+        0.375 * self.major() * self.integrals().e
+    }
+
     /// The elliptic integrals that belong to this shape.
     #[must_use]
     pub fn integrals(&self) -> CompleteIntegrals {

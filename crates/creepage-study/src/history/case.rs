@@ -167,6 +167,12 @@ impl RollCase {
         matches!(self.kind, Kind::Ellipse { method: Method::Variational(_), .. })
     }
 
+    /// The largest moment that friction gives on an ellipse, over `mu N c`.
+    pub(super) fn largest_moment(&self) -> Option<f64> {
+        let Kind::Ellipse { contact, .. } = &self.kind else { return None };
+        Some(contact.ellipse().friction_arm() / contact.ellipse().c())
+    }
+
     /// Whether its areas are of any shape.
     pub(super) fn has_areas(&self) -> bool {
         matches!(self.kind, Kind::Areas { .. })

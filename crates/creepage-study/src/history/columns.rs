@@ -292,7 +292,7 @@ fn row(
     }
     let [longitudinal, lateral, spin] = parts;
     let motion = HistoryMotion { motion: Motion { longitudinal, lateral, spin }, load };
-    within(&motion, units.force)?;
+    within(&motion, case)?;
     Ok(HistoryRow { distance, motion })
 }
 
@@ -310,8 +310,17 @@ fn normal(value: f64, nominal: f64) -> Result<f64, InvalidValue> {
     if (0.0..=1e6).contains(&load) { Ok(load) } else { Err(invalid) }
 }
 
-/// Friction must be able to give the forces of a row.
-fn within(motion: &HistoryMotion, unit: f64) -> Result<(), MotionError> {
+/// Friction must be able to give the forces of a row, and the moment on an ellipse.
+fn within(motion: &HistoryMotion, case: &RollCase) -> Result<(), MotionError> {
+    let unit = case.scaling.force;
+    if let (Some(most), Prescribed::Force(moment)) = (case.largest_moment(), motion.motion.spin) {
+        let most = motion.load * motion.load.cbrt() * most;
+        if moment.abs() > most {
+            let unit = unit * case.scaling.length;
+            let (moment, most) = (moment.abs() * unit, most * unit);
+            return Err(MotionError::MomentBeyondFriction { moment, most });
+        }
+    }
     let parts = [motion.motion.longitudinal, motion.motion.lateral];
     let [fx, fy] = parts.map(|part| match part {
         Prescribed::Force(value) => value,

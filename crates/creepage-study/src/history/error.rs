@@ -229,6 +229,14 @@ pub enum MotionError {
         /// `mu N` of the moment.
         most: f64,
     },
+    /// A moment that friction cannot give.
+    #[error("the moment, {moment} N m, is not reachable: friction gives at most {most} N m, spinning on the spot")]
+    MomentBeyondFriction {
+        /// Its size (N m).
+        moment: f64,
+        /// That of a contact that slides all around its middle (N m).
+        most: f64,
+    },
 }
 
 impl From<GapCaseError> for HistoryError {
@@ -244,7 +252,10 @@ impl HistoryError {
     /// Whether it is a force, of a start, a row or a step, that friction cannot give.
     #[must_use]
     pub fn is_beyond_friction(&self) -> bool {
-        let beyond = |source: &MotionError| matches!(source, MotionError::BeyondFriction { .. });
+        let beyond = |source: &MotionError| {
+            use MotionError::{BeyondFriction, MomentBeyondFriction};
+            matches!(source, BeyondFriction { .. } | MomentBeyondFriction { .. })
+        };
         match self {
             Self::Start { .. } => true,
             Self::Row { source, .. } | Self::Step(source) => beyond(source),

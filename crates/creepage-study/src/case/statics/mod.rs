@@ -4,8 +4,6 @@ mod contact;
 mod error;
 mod load;
 
-use std::f64::consts::PI;
-
 use creepage::statics::{
     Bonded, Compression, Die, PartialSlip, PartialSlipError, ShearError, ShearedRectangle,
     ShiftAxis, ShiftEnd, ShiftPath,
@@ -432,14 +430,13 @@ fn moved(problem: &StaticsProblem) -> [f64; 2] {
 }
 
 /// The coefficient of friction without which a load that is taken without slip makes all slide: the tangential force
-/// over the normal one; a moment over the largest that a circle of the longer semi-axis carries at friction 1, `3 pi/16
-/// N a`.
+/// over the normal one; a moment over the largest that friction 1 gives.
 fn needed_friction(problem: &StaticsProblem, hertz: &Hertz) -> f64 {
     let normal = hertz.normal_force();
     match problem {
         StaticsProblem::Shift { force: [x, y], .. } => x.hypot(*y) / normal,
         StaticsProblem::Twist { ellipse, moment, .. } => {
-            moment.abs() / (3.0 * PI / 16.0 * normal * ellipse.a().max(ellipse.b()))
+            moment.abs() / (normal * ellipse.friction_arm())
         }
         _ => 0.0,
     }
