@@ -13,7 +13,8 @@ pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
     let wrong = |source| Failure::Case { path: args.case.clone(), source };
     let case = read_any_case(&args.case)?;
     let contact = case
-        .contact()
+        .lies_in_a_plane("curves")
+        .and_then(|()| case.contact())
         .map_err(|source| Failure::Gap { path: args.case.clone(), source: Box::new(source) })?;
     let creepage = case.creepage(&contact).map_err(wrong)?;
     let theories = theories(&args.theory, &case)?;

@@ -39,6 +39,9 @@ pub(crate) fn run(args: &WearArgs) -> Result<Outcome, Failure> {
     let is_new = !args.out.exists();
     std::fs::create_dir_all(&args.out).map_err(made)?;
     case.notes.iter().for_each(say_found);
+    if case.heat.is_some() {
+        say("note: [heat] is left out of wear: solve a position by itself for it");
+    }
     let bar = output::bar(1000, "{msg} {wide_bar} {percent:>3} %  {left}");
     bar.enable_steady_tick(Duration::from_millis(200));
     let mut noted = 0;

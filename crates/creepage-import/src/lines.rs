@@ -158,6 +158,9 @@ fn without_comment(line: &str) -> &str {
     line
 }
 
+/// No line of a case has as many values.
+const MOST_VALUES: usize = 1_000_000;
+
 /// The values of a line, and whether the word that ends them is a number that is not finite.
 fn tokens(text: &str) -> (Vec<Token>, bool) {
     let (mut found, mut rest) = (Vec::new(), text);
@@ -174,6 +177,9 @@ fn tokens(text: &str) -> (Vec<Token>, bool) {
         let Some((times, value)) = repeated(word) else {
             return (found, word.parse::<f64>().is_ok_and(|value| !value.is_finite()));
         };
+        if found.len() + times > MOST_VALUES {
+            return (found, false);
+        }
         found.extend(std::iter::repeat_n(Token::Number(value), times));
         rest = after;
     }

@@ -104,6 +104,17 @@ impl AnyCase {
         }
     }
 
+    /// That its contact lies in a plane, for what knows no other; `what` says for whom, as "curves".
+    ///
+    /// # Errors
+    /// [`GapCaseError::CurvedOf`].
+    pub fn lies_in_a_plane(&self, what: &'static str) -> Result<(), GapCaseError> {
+        match self {
+            Self::Gap(case) if case.curved.is_some() => Err(GapCaseError::CurvedOf { what }),
+            _ => Ok(()),
+        }
+    }
+
     /// The creepage on that contact, where it is given.
     ///
     /// # Errors
@@ -219,7 +230,7 @@ impl AnyCase {
     /// The files that the case was read from.
     pub(crate) fn sources(&self) -> Sources {
         match self {
-            Self::Ellipse(_) => Sources::default(),
+            Self::Ellipse(case) => case.sources.clone(),
             Self::Gap(case) => case.sources.clone(),
         }
     }

@@ -35,6 +35,7 @@ pub(crate) fn case(a_over_b: f64, given: [f64; 3]) -> Case {
         damage: None,
         heat: None,
         theory: TheorySpec::default(),
+        sources: crate::Sources::default(),
     }
 }
 

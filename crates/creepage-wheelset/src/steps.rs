@@ -292,7 +292,7 @@ fn wrong(invalid: InvalidValue) -> WheelsetError {
     WheelsetError::invalid("steps")(invalid)
 }
 
-/// As finely as the last grid of the full theory.
+/// As finely as the grid of the full theory.
 fn resolution(solved: &SolvedWheelset) -> Result<Resolution, WheelsetError> {
     let AreaTheory::Exact(options) = solved.theory else {
         return Err(WheelsetError::Steps { what: "take theory = \"exact\"" });
@@ -301,7 +301,10 @@ fn resolution(solved: &SolvedWheelset) -> Result<Resolution, WheelsetError> {
         return Err(WheelsetError::Steps { what: "take slip = \"flat\"" });
     }
     let (resolutions, _) = options.resolutions().map_err(WheelsetError::invalid("solve"))?;
-    Ok(resolutions.last().copied().unwrap_or(Resolution::STANDARD))
+    match resolutions[..] {
+        [one] => Ok(one),
+        _ => Err(WheelsetError::Steps { what: "take one resolution, not \"auto\"" }),
+    }
 }
 
 /// The undeformed place of a contact.

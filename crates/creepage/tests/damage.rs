@@ -5,7 +5,7 @@
 use creepage::coulomb::{Exact, Resolution};
 use creepage::damage::{
     Archard, Bre, DamageConstants, DangVan, Ekberg, ElementState, Passage, ShakedownBlock, TGamma,
-    Usfd, WearZone, Wlrm, local_surface_index, shakedown, surface_index,
+    Usfd, WearZone, Wlrm, local_surface_index, shakedown, shakedown_and_fatigue, surface_index,
 };
 use creepage::subsurface::{Body, Interior, Stress};
 use creepage::{Contact, Creepage, Scaling, SiCreepage, SiForce, Solved};
@@ -237,4 +237,24 @@ fn nonsense_is_an_error() {
     assert_eq!(Passage::below(&interior, 1.0, [0.0; 2], 2).unwrap_err().quantity, "count");
     let block = ShakedownBlock { depths: 0, ..ShakedownBlock::of([1.0; 2]) };
     assert_eq!(shakedown(&interior, &block).unwrap_err().quantity, "depths");
+}
+
+/// In a block fatigue is where the criterion says most of all places, and friction, whose stresses swing from pressure to
+/// tension, brings it to the surface.
+#[test]
+fn dang_van_under_a_circle() {
+    let block = ShakedownBlock { lines: 2, ..ShakedownBlock::of([1.0; 2]) };
+    let criterion = DangVan::default();
+    let used = [0.0, 0.3, 0.6].map(|mu| {
+        let interior = circle(mu);
+        let (limit, used) = shakedown_and_fatigue(&interior, &block, &criterion).unwrap();
+        let at = |place| {
+            criterion.equivalent(&Passage::below(&interior, 1.0, place, block.states).unwrap())
+        };
+        assert!((at(used.place) / used.equivalent - 1.0).abs() < 1e-12, "{mu} {used:?}");
+        assert!(at(limit.place) <= used.equivalent + 1e-12, "{mu} {used:?}");
+        used
+    });
+    assert!(used[0].place[1] > 0.0 && used[2].place[1] == 0.0, "{used:?}");
+    assert!(used[0].equivalent < used[1].equivalent && used[1].equivalent < used[2].equivalent);
 }

@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 use creepage::{Contact, Ellipse, TheorySpec};
 use creepage_study::{
-    AnyCaseFile, BulkQuery, CaseFile, DamageWanted, Solver, Sources, theory_spec,
+    AnyCaseFile, BulkQuery, CaseFile, Damage, DamageWanted, Solver, Sources, theory_spec,
 };
 use csv::ByteRecord;
 use rayon::prelude::*;
@@ -47,6 +47,10 @@ pub(crate) fn run(args: &BatchArgs) -> Result<Outcome, Failure> {
     };
     let solver = solver(args, case.as_ref())?;
     let table = Table::open(args.input.as_deref())?;
+    if case.as_ref().is_some_and(CaseFile::has_damage) {
+        let names = Damage::OF_ROWS.join(", ");
+        say(&format!("note: of [damage] rows have {names}; solve a case by itself for the others"));
+    }
     let ask = ask(&table, args.case.as_deref().zip(case.as_ref()), &solver)?;
     let appended = appended(&table, &ask, solver.error_bars())?;
     let answers = |rows: &[ByteRecord]| Ok(replies(&ask, &solver, rows));

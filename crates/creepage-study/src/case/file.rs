@@ -101,6 +101,8 @@ pub struct Case {
     pub heat: Option<HeatWanted>,
     /// The theory and its options.
     pub theory: TheorySpec,
+    /// The file of slips that it was read from, if any.
+    pub(crate) sources: Sources,
 }
 
 /// Prescribed creepage, or prescribed forces.
@@ -253,6 +255,7 @@ impl CaseFile {
             damage,
             heat,
             theory,
+            sources: self.sources(directory),
         })
     }
 

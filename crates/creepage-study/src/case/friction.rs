@@ -212,6 +212,13 @@ impl LawTable {
             section: "contact".into(),
             key: format!("friction: {key}"),
         };
+        let own = self.memory_distance.map(|value| ("memory_distance", value));
+        let own = own.or(self.memory_speed.map(|value| ("memory_speed", value)));
+        if let Some((quantity, value)) = own.filter(|_| self.law == LawName::Constant) {
+            let valid = "left out where the law is \"constant\"";
+            let invalid = InvalidValue { quantity, value, valid };
+            return Err(CaseError::invalid("contact friction")(invalid));
+        }
         match (self.memory_distance, self.memory_speed) {
             (None, None) => Ok(None),
             (Some(value), _) if value > 1.0 => {

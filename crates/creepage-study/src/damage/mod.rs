@@ -11,7 +11,7 @@ pub(crate) use rows::{middle, of_elements, states};
 pub(crate) use section::DamageSection;
 pub use section::DamageWanted;
 
-use creepage::damage::{Shakedown, ShakedownBlock, shakedown};
+use creepage::damage::{FatigueStress, Shakedown, ShakedownBlock, shakedown_and_fatigue};
 use creepage::subsurface::Body;
 
 use crate::stresses::StressError;
@@ -40,15 +40,18 @@ impl SolvedCase {
             speed: self.case.speed(),
             rows: rows.as_deref(),
         };
-        let limit = wanted.shakedown.then(|| self.shakedown()).transpose()?;
+        let limit = wanted.shakedown.then(|| self.shakedown(wanted)).transpose()?;
         Ok(Some(Damage::new(wanted, &ground, limit)))
     }
 
-    /// Melan's bound for the lower body.
-    fn shakedown(&self) -> Result<Shakedown, StressError> {
+    /// Melan's bound for the lower body, and where it fatigues.
+    fn shakedown(
+        &self,
+        wanted: &DamageWanted,
+    ) -> Result<(Shakedown, FatigueStress), StressError> {
         let ([_, half], [_, lower]) = (self.box_around(), self.case.solids());
         let (interior, settled) = Stresses::interior(self, lower, Body::Lower)?;
         let block = ShakedownBlock { top: settled, ..ShakedownBlock::of(half) };
-        Ok(shakedown(&interior, &block)?)
+        Ok(shakedown_and_fatigue(&interior, &block, &wanted.constants.dang_van)?)
     }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use creepage::damage::{Row, Shakedown, TGamma, WearZone, local_surface_index, surface_index};
+use creepage::damage::{FatigueStress, Row, Shakedown, TGamma, WearZone, local_surface_index, surface_index};
 use creepage::{SiCreepage, SiForce};
 use serde::Serialize;
 
@@ -66,6 +66,12 @@ pub struct Damage {
     pub shakedown_load_factor: Option<f64>,
     /// Where that is governed: `y` and depth (m).
     pub shakedown_place_m: Option<[f64; 2]>,
+    /// Dang Van's largest equivalent stress over a passage (Pa), in the lower body as deep as the contact is wide.
+    pub dang_van_stress_pa: Option<f64>,
+    /// The same over its limit: fatigue is predicted above 1.
+    pub dang_van_over_limit: Option<f64>,
+    /// Where that is: `y` and depth (m).
+    pub dang_van_place_m: Option<[f64; 2]>,
     /// The laws whose constants are from memory and were not compared with the print.
     pub unverified: Vec<&'static str>,
     /// Wear across the contact, not in `report.json` but in `wear.csv`.
@@ -115,8 +121,9 @@ impl Damage {
     pub(crate) fn new(
         wanted: &DamageWanted,
         ground: &DamageInput,
-        shakedown: Option<Shakedown>,
+        below: Option<(Shakedown, FatigueStress)>,
     ) -> Self {
+        let (shakedown, fatigue) = below.unzip();
         let constants = wanted.constants;
         let work = TGamma::new(ground.force, ground.creepage);
         let traction = ground.force.longitudinal.hypot(ground.force.lateral);
@@ -164,6 +171,9 @@ impl Damage {
             ),
             shakedown_load_factor: shakedown.map(|limit| limit.load_factor(constants.shear_yield)),
             shakedown_place_m: shakedown.map(|limit| limit.place),
+            dang_van_stress_pa: fatigue.map(|used| used.equivalent),
+            dang_van_over_limit: fatigue.map(|used| used.equivalent / constants.dang_van.limit),
+            dang_van_place_m: fatigue.map(|used| used.place),
             unverified: wanted.unverified(),
             across,
         }

@@ -27,6 +27,11 @@ impl Damage {
             lines.row("  governed at y", &quantity(y, "m", 3));
             lines.row("  depth z", &quantity(z, "m", 3));
         }
+        if let (Some(share), Some([y, z])) = (self.dang_van_over_limit, self.dang_van_place_m) {
+            lines.row("Dang Van's stress over limit", &four(share));
+            lines.row("  most at y", &quantity(y, "m", 3));
+            lines.row("  depth z", &quantity(z, "m", 3));
+        }
         if !self.unverified.is_empty() {
             lines.words(&format!(
                 "UNVERIFIED, constants from memory, replaceable in [damage]: {}.",

@@ -21,7 +21,7 @@ pub(crate) struct DamageSection {
     wlrm: Wlrm,
     /// Fatigue of wheels below the surface.
     ekberg: Ekberg,
-    /// Fatigue by the stresses over a passage.
+    /// Fatigue by the stresses over a passage; with `shakedown`.
     dang_van: DangVan,
     /// Yield stress in shear of the lower body under cyclic loading (Pa); 300e6 by default.
     shear_yield: f64,
@@ -29,7 +29,8 @@ pub(crate) struct DamageSection {
     density: f64,
     /// Diameter of the wheel (m), which British Rail Research's wear needs.
     wheel_diameter: Option<f64>,
-    /// Whether the shakedown limit of the lower body is wanted, which takes seconds; false by default.
+    /// Whether the shakedown limit of the lower body and Dang Van's fatigue stress in it are wanted, which takes
+    /// seconds; false by default.
     shakedown: bool,
 }
 

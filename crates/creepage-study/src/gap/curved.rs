@@ -70,11 +70,11 @@ impl GapCase {
             return Err(GapCaseError::CurvedFriction);
         }
         let (resolutions, _) = options.resolutions().map_err(CaseError::invalid("solve"))?;
-        let roll = *resolutions.first().unwrap_or(&creepage::coulomb::Resolution::STANDARD);
+        let [roll] = resolutions[..] else { return Err(GapCaseError::CurvedAuto) };
         let press = fineness(&self.theory);
         let [x, y, spin] = self.given.creepage;
         let [wanted, lateral, moment] = self.given.force;
-        if lateral.is_some() || moment.is_some() {
+        if lateral.is_some() || moment.is_some() || wanted.is_some() && x.is_some() {
             return Err(GapCaseError::CurvedWanted);
         }
         let creepage = SiCreepage {

@@ -98,13 +98,31 @@ pub enum GapCaseError {
     )]
     CurvedFriction,
     /// Forces other than the longitudinal one on a curve.
-    #[error("[contact] surface = \"curved\" finds the creepage to a longitudinal_force alone")]
+    #[error(
+        "[contact] surface = \"curved\" finds the longitudinal creepage to a longitudinal_force alone, at a given lateral \
+         creepage and spin"
+    )]
     CurvedWanted,
     /// A history on a curve.
     #[error(
         "[contact] surface = \"curved\" is for steady rolling: histories and the pressure alone are in a plane"
     )]
     CurvedSteady,
+    /// What knows contacts in a plane alone.
+    #[error(
+        "[contact] surface = \"curved\" has a slip of its own: {what} take contacts in a plane; give \"plane\", or solve \
+         case by case"
+    )]
+    CurvedOf {
+        /// What was asked for, in the plural.
+        what: &'static str,
+    },
+    /// A refinement until an accuracy is met, on a curve.
+    #[error(
+        "[contact] surface = \"curved\" takes one resolution, \"fast\", \"standard\", \"fine\" or two numbers of \
+         elements: \"auto\" is for a plane"
+    )]
+    CurvedAuto,
     /// A curve that is not given.
     #[error("[contact] surface = \"curved\" needs [gap] groove: other shapes are given in a plane")]
     NoCurve,

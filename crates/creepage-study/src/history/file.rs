@@ -136,7 +136,7 @@ pub(super) enum StartTraction {
 }
 
 /// Sections that say how the bodies move, whose place the history takes.
-const MOTION: [&str; 2] = ["creepage", "wanted"];
+const MOTION: [&str; 3] = ["creepage", "wanted", "motion"];
 
 /// Sections that are for steady rolling.
 const STEADY: [(&str, &str); 2] = [
@@ -165,7 +165,7 @@ impl RollFile {
     pub fn read(text: &str) -> Result<Self, HistoryError> {
         let table: Table = text.parse().map_err(CaseError::Toml)?;
         let is_motion = |section: &&str| {
-            table.get(*section).is_some_and(|value| *section == "wanted" || !is_speed(value))
+            table.get(*section).is_some_and(|value| *section != "creepage" || !is_speed(value))
         };
         if let Some(section) = MOTION.into_iter().find(is_motion) {
             return Err(HistoryError::Section { section });
@@ -192,14 +192,14 @@ impl RollFile {
         Ok(Self { start, bodies: Bodies::Shaped(file) })
     }
 
-    /// The contact of a case file of steady rolling: its creepage, or the forces wanted of it, and what
-    /// it asks of damage and heat are not used, only its rolling velocity.
+    /// The contact of a case file of steady rolling: its creepage or motion, or the forces wanted of it, and what
+    /// it asks of damage and heat are not used, only `[creepage] speed`.
     ///
     /// # Errors
     /// As [`RollFile::read`].
     pub fn of_case(text: &str) -> Result<Self, HistoryError> {
         let mut table: Table = text.parse().map_err(CaseError::Toml)?;
-        for unused in ["wanted", "damage", "heat"] {
+        for unused in ["wanted", "motion", "damage", "heat"] {
             table.remove(unused);
         }
         if let Some(Value::Table(creepage)) = table.get_mut("creepage") {

@@ -52,7 +52,12 @@ impl Model {
         measured: &MeasuredPoints,
     ) -> Result<Self, FitError> {
         let case = file.case(directory).map_err(|error| FitError::Case(Box::new(error)))?;
-        let contact = case.contact().map_err(|error| FitError::Case(Box::new(error)))?;
+        let wrong = |error| FitError::Case(Box::new(error));
+        case.lies_in_a_plane("fits").map_err(wrong)?;
+        let contact = case.contact().map_err(wrong)?;
+        if contact.added_slip().is_some() {
+            return Err(wrong(CaseError::SlipOfRows.into()));
+        }
         if contact.rolling_friction().is_some() {
             return Err(FitError::FrictionLaw);
         }

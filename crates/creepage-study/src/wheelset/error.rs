@@ -146,6 +146,17 @@ pub enum WheelsetFileError {
         /// The profile's name.
         profile: String,
     },
+    /// What is read of a file, for points.
+    #[error(
+        "[{section}] reading.{key} is for profiles of files: points are in metres, y to the field side, z down, and \
+         take smooth alone"
+    )]
+    ReadingOfPoints {
+        /// The section's name.
+        section: &'static str,
+        /// The key.
+        key: &'static str,
+    },
     /// A rail's profile on a wheel, or the other way round.
     #[error("[{section}] profile = \"{profile}\" is that of a {found}")]
     Role {

@@ -9,6 +9,7 @@ use creepage_wheelset::{Patches, RigidSlip, StepsStart};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::error::WheelsetFileError;
 use super::free::{GivenOrFree, PitchValue};
 use super::friction::RailFrictionValue;
 use super::guard::GuardSection;
@@ -103,6 +104,23 @@ impl ReadingSection {
             return Err(CaseError::Conflict { first, second });
         }
         self.corners.map_or(Ok(()), |corners| corners.check(section))
+    }
+
+    /// The smoothing of points, which have no file: they are in metres, y to the field side, z down.
+    pub(super) fn smoothing_of_points(
+        &self,
+        section: &'static str,
+    ) -> Result<Option<Smoothing>, WheelsetFileError> {
+        let of_files = [
+            ("unit", self.unit.is_some()),
+            ("y", self.y.is_some()),
+            ("z", self.z.is_some()),
+            ("corners", self.corners.is_some()),
+        ];
+        match of_files.into_iter().find_map(|(key, is_given)| is_given.then_some(key)) {
+            Some(key) => Err(WheelsetFileError::ReadingOfPoints { section, key }),
+            None => Ok(self.wanted().smoothing),
+        }
     }
 
     pub(super) fn wanted(&self) -> ReadOptions {

@@ -246,7 +246,9 @@ impl SliceEntry {
                 Err(CaseError::Conflict { first, second }.into())
             }
             (None, Some(points)) => {
-                let smoothing = reading.and_then(|reading| reading.wanted().smoothing);
+                let smoothing =
+                    reading.map(|reading| reading.smoothing_of_points(section)).transpose()?;
+                let smoothing = smoothing.flatten();
                 Ok((of_points((section, role), points, smoothing)?, None))
             }
             (name, None) => {

@@ -22,7 +22,7 @@ pub use archard::{Archard, ArchardWear, WearZone};
 pub use energy::{ElementState, Row, TGamma};
 pub use fatigue::{Ekberg, Wlrm, local_surface_index, surface_index};
 pub use passage::{DangVan, Passage};
-pub use shakedown::{Shakedown, ShakedownBlock, shakedown};
+pub use shakedown::{FatigueStress, Shakedown, ShakedownBlock, shakedown, shakedown_and_fatigue};
 pub use wear::{Bre, Usfd};
 
 /// The constants of every law, to be kept and replaced in one place.
@@ -83,6 +83,9 @@ impl DamageConstants {
         {
             check::finite("a constant of [damage]", *value)?;
         }
+        let [from, to] = bre.plateau;
+        check::require(from >= 0.0, "bre.plateau", from, "not negative")?;
+        check::require(to >= from, "bre.plateau", to, "rising")?;
         let Wlrm { start, worst, balance, .. } = wlrm;
         let rising = start < worst && worst < balance && balance.is_finite();
         check::require(rising, "wlrm.worst", worst, "between wlrm.start and wlrm.balance")?;

@@ -13,7 +13,7 @@
 use rayon::prelude::*;
 
 use super::ball::{self, Deviator};
-use super::passage::Passage;
+use super::passage::{DangVan, Passage};
 use crate::check::{self, InvalidValue};
 use crate::subsurface::Interior;
 
@@ -64,6 +64,15 @@ impl Shakedown {
     }
 }
 
+/// The place where Dang Van's criterion is used most.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FatigueStress {
+    /// The largest equivalent stress of its passage (Pa).
+    pub equivalent: f64,
+    /// `[y, z]` of the place.
+    pub place: [f64; 2],
+}
+
 /// Melan's lower bound for the body `interior` under the contact that `block` describes.
 ///
 /// ```
@@ -84,6 +93,18 @@ impl Shakedown {
 /// [`InvalidValue`] unless lengths are positive, `depths` between 1 and 1000, `lines` up to 1000 and
 /// `states` between 3 and 10000.
 pub fn shakedown(interior: &Interior, block: &ShakedownBlock) -> Result<Shakedown, InvalidValue> {
+    shakedown_and_fatigue(interior, block, &DangVan::default()).map(|(limit, _)| limit)
+}
+
+/// The same, and where in the block a fatigue criterion is used most, by the same stresses.
+///
+/// # Errors
+/// As [`shakedown`].
+pub fn shakedown_and_fatigue(
+    interior: &Interior,
+    block: &ShakedownBlock,
+    criterion: &DangVan,
+) -> Result<(Shakedown, FatigueStress), InvalidValue> {
     let [length, width] = block.half;
     check::positive("half_length", length)?;
     check::positive("half_width", width)?;
@@ -96,16 +117,19 @@ pub fn shakedown(interior: &Interior, block: &ShakedownBlock) -> Result<Shakedow
     within("depths", block.depths, 1)?;
     within("lines", block.lines, 0)?;
     let depth = |k: usize| block.top + block.depth * k as f64 / (block.depths - 1).max(1) as f64;
-    let depths = (0..block.depths).into_par_iter().map(|k| at_depth(interior, block, depth(k)));
+    let depths = (0..block.depths).into_par_iter();
+    let depths = depths.map(|k| at_depth(interior, block, criterion, depth(k)));
     let found = depths.collect::<Result<Vec<_>, _>>()?;
-    let none = Shakedown { amplitude: 0.0, place: [0.0; 2], residual: [0.0; 3] };
+    let limit = Shakedown { amplitude: 0.0, place: [0.0; 2], residual: [0.0; 3] };
+    let fatigue = FatigueStress { equivalent: f64::NEG_INFINITY, place: [0.0; 2] };
     // The shallower of equals, on any number of cores.
-    Ok(found.into_iter().fold(
-        none,
-        |worst, next| {
-            if next.amplitude > worst.amplitude { next } else { worst }
-        },
-    ))
+    Ok(found.into_iter().fold((limit, fatigue), |(limit, fatigue), (next, used)| {
+        let is_worse = used.equivalent > fatigue.equivalent;
+        (
+            if next.amplitude > limit.amplitude { next } else { limit },
+            if is_worse { used } else { fatigue },
+        )
+    }))
 }
 
 /// The governing line at one depth. Of all lines, the one that would be worst by itself chooses `yy` and
@@ -113,13 +137,19 @@ pub fn shakedown(interior: &Interior, block: &ShakedownBlock) -> Result<Shakedow
 fn at_depth(
     interior: &Interior,
     block: &ShakedownBlock,
+    criterion: &DangVan,
     z: f64,
-) -> Result<Shakedown, InvalidValue> {
+) -> Result<(Shakedown, FatigueStress), InvalidValue> {
+    let mut fatigue = FatigueStress { equivalent: f64::NEG_INFINITY, place: [0.0, z] };
     let mut lines = Vec::with_capacity(2 * block.lines + 1);
     for k in 0..=2 * block.lines {
         let y = block.half[1] * (k as f64 / block.lines.max(1) as f64 - 1.0);
         let y = if block.lines == 0 { 0.0 } else { y };
         let passage = Passage::below(interior, block.half[0], [y, z], block.states)?;
+        let equivalent = criterion.equivalent(&passage);
+        if equivalent > fatigue.equivalent {
+            fatigue = FatigueStress { equivalent, place: [y, z] };
+        }
         let states: Vec<Deviator> = passage.states().iter().map(ball::coordinates).collect();
         let alone = ball::smallest(&states, 3);
         lines.push((y, states, alone));
@@ -138,7 +168,7 @@ fn at_depth(
             worst = Shakedown { amplitude: ball.radius, place: [*y, z], residual };
         }
     }
-    Ok(worst)
+    Ok((worst, fatigue))
 }
 
 /// A state without the shared `yy` and `xy`; what these do to the first coordinate, `xx` does too.

@@ -56,6 +56,11 @@ impl ExactOptions {
             let valid = "left out with [gap], whose bodies are taken for like ones";
             return Err(InvalidValue { quantity: "coupled", value: 1.0, valid });
         }
+        let is_auto = self.resolution == ResolutionSpec::Named(NamedResolution::Auto);
+        if let Some(value) = self.accuracy.filter(|_| !is_auto) {
+            let valid = "left out with a resolution: \"auto\" refines until it is met";
+            return Err(InvalidValue { quantity: "accuracy", value, valid });
+        }
         let accuracy = self.accuracy.unwrap_or(Automatic::DEFAULT_ACCURACY);
         if !(accuracy.is_finite() && accuracy > 0.0) {
             let valid = "finite and greater than zero";

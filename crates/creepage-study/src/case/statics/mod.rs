@@ -284,6 +284,10 @@ impl StaticsFile {
 
     fn touching_bodies(&self) -> Result<(SolidPair, Ellipse), CaseError> {
         let upper = self.upper()?;
+        if self.contact.friction().is_ok() {
+            // What it carries follows from the load.
+            self.contact.normal_force()?;
+        }
         let pair = SolidPair::new(upper.solid("upper")?, self.lower.solid("lower")?);
         Ok((pair, self.contact.ellipse(upper, &self.lower)?))
     }

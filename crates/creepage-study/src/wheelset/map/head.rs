@@ -1,5 +1,6 @@
 //! What a contact map has of a wheelset's file: its head, or the reason why there is no map of this wheelset.
 
+use creepage::TheorySpec;
 use creepage::table::Table;
 use creepage_map::{Head, HeightOrLoad, State};
 use creepage_rail::RailMotion;
@@ -26,6 +27,7 @@ pub(super) fn of(case: &WheelsetCase, plan: &MapPlan) -> Result<Head, MapBuildEr
             "[wheel] slices, flat, waviness, [rail] slices, corrugation, roller_radius",
         ),
         (!case.is_guarded(), "[rail] guard"),
+        (matches!(case.theory, TheorySpec::Exact(_)), "[solve] theory other than \"exact\""),
         (travel.curvature == 0.0, "[track] curve_radius"),
         (travel.rails == [RailMotion::default(); 2], "[rail] dy_rate, dz_rate, droll_rate"),
         (is_plain, "[motion] torque, longitudinal_force, independent wheels"),
