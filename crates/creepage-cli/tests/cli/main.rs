@@ -25,6 +25,7 @@ mod inverse;
 mod line;
 mod map;
 mod met;
+mod no_effect;
 mod place;
 mod profile;
 mod reproduce;
