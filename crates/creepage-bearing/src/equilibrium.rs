@@ -35,7 +35,7 @@ const CONTINUATION: u32 = 16;
 
 /// Load on a ball beside those of its races.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Acting {
+pub(crate) struct BallForces {
     /// Centrifugal force (N).
     pub(crate) centrifugal: f64,
     /// Friction across in the inner and the outer contact (N), positive where it carries the gyroscopic moment.
@@ -44,7 +44,7 @@ pub(crate) struct Acting {
 
 /// Equilibrium of one ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Standing {
+pub(crate) struct BallEquilibrium {
     /// Contact angles (rad).
     pub(crate) angles: [f64; 2],
     /// Loads (N); zero at the inner race where the ball does not reach it.
@@ -83,8 +83,8 @@ impl BallBearing {
         &self,
         displacement: Displacement,
         azimuth: f64,
-        acting: &Acting,
-    ) -> Result<Standing, BearingError> {
+        acting: &BallForces,
+    ) -> Result<BallEquilibrium, BearingError> {
         let grooves = self.grooves(displacement, azimuth);
         let free = [INNER, OUTER].map(|race| (self.osculation[race] - 0.5) * self.ball_diameter);
         if let Some(alone) = self.on_outer_race(grooves, free, acting)? {
@@ -95,7 +95,11 @@ impl BallBearing {
             let lengths = [to_inner[0].hypot(to_inner[1]), centre[0].hypot(centre[1])];
             let angles = [to_inner[0].atan2(to_inner[1]), centre[0].atan2(centre[1])];
             let load = |race: usize| self.load_at(race, angles[race], lengths[race] - free[race]);
-            Ok::<_, BearingError>(Standing { angles, loads: [load(INNER)?, load(OUTER)?], centre })
+            Ok::<_, BearingError>(BallEquilibrium {
+                angles,
+                loads: [load(INNER)?, load(OUTER)?],
+                centre,
+            })
         };
         let start = SVector::from(self.least_energy(grooves, free, acting)?);
         let pressed = standing([start[0], start[1]])?;
@@ -106,7 +110,7 @@ impl BallBearing {
             * (unit * unit).cbrt();
         let steps = SVector::from([1e-5 * depth; 2]);
         let (found, left) = newton(start, steps, TOLERANCE, |centre| {
-            let Standing { angles, loads, .. } = standing([centre[0], centre[1]])?;
+            let BallEquilibrium { angles, loads, .. } = standing([centre[0], centre[1]])?;
             let [(si, ci), (so, co)] = angles.map(f64::sin_cos);
             let [qi, qo] = loads;
             Ok::<_, BearingError>(SVector::from([
@@ -126,7 +130,7 @@ impl BallBearing {
         &self,
         grooves: [f64; 2],
         free: [f64; 2],
-        acting: &Acting,
+        acting: &BallForces,
     ) -> Result<[f64; 2], BearingError> {
         const MAX_NEWTON_STEPS: usize = 100;
         let constants = [
@@ -189,8 +193,8 @@ impl BallBearing {
         &self,
         grooves: [f64; 2],
         free: [f64; 2],
-        acting: &Acting,
-    ) -> Result<Option<Standing>, BearingError> {
+        acting: &BallForces,
+    ) -> Result<Option<BallEquilibrium>, BearingError> {
         let force = acting.centrifugal;
         let constant = self.pressed(OUTER, 0.0, 1.0)?.approach_constant();
         let centre = [0.0, free[OUTER] + constant * (force * force).cbrt()];
@@ -198,17 +202,17 @@ impl BallBearing {
         let reaches = to_inner[0].hypot(to_inner[1]) > free[INNER]
             || grooves[0].hypot(grooves[1]) > free[INNER] + free[OUTER];
         let angles = [self.contact_angle, 0.0];
-        Ok((!reaches).then_some(Standing { angles, loads: [0.0, force], centre }))
+        Ok((!reaches).then_some(BallEquilibrium { angles, loads: [0.0, force], centre }))
     }
 
     /// The displacement that carries the load, and every ball there.
     pub(crate) fn carry(
         &self,
         load: BearingLoad,
-        acting: &[Acting],
+        acting: &[BallForces],
         before: Option<Displacement>,
-    ) -> Result<(Displacement, Vec<Standing>), BearingError> {
-        let balls = |displacement: Displacement| -> Result<Vec<Standing>, BearingError> {
+    ) -> Result<(Displacement, Vec<BallEquilibrium>), BearingError> {
+        let balls = |displacement: Displacement| -> Result<Vec<BallEquilibrium>, BearingError> {
             let each = acting.iter().enumerate();
             each.map(|(k, acting)| self.stand(displacement, self.azimuth(k), acting)).collect()
         };
@@ -270,7 +274,7 @@ impl BallBearing {
     }
 
     /// What balls carry of the inner ring's load, along the axis and radially (N).
-    pub(crate) fn carried(&self, balls: &[Standing], acting: &[Acting]) -> [f64; 2] {
+    pub(crate) fn carried(&self, balls: &[BallEquilibrium], acting: &[BallForces]) -> [f64; 2] {
         let mut sum = [0.0; 2];
         for (k, (ball, acting)) in balls.iter().zip(acting).enumerate() {
             let ((sin, cos), load) = (ball.angles[INNER].sin_cos(), ball.loads[INNER]);
@@ -307,7 +311,7 @@ fn found_to(left: f64) -> Result<(), BearingError> {
     if left <= ACCEPTED { Ok(()) } else { Err(BearingError::LoadNotFound) }
 }
 
-fn angles_of(standing: &Standing) -> f64 {
+fn angles_of(standing: &BallEquilibrium) -> f64 {
     standing.angles[OUTER]
 }
 

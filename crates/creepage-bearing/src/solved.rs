@@ -4,7 +4,7 @@ use creepage::{Hertz, Status};
 use rayon::prelude::*;
 
 use crate::bearing::{BallBearing, BearingLoad, Control, INNER, OUTER, Operation};
-use crate::equilibrium::{Acting, Displacement, Standing};
+use crate::equilibrium::{BallEquilibrium, BallForces, Displacement};
 use crate::error::BearingError;
 use crate::friction::{BearingTheory, RaceContact, RaceField, RaceFriction};
 use crate::motion::{Ball, BallMotion};
@@ -103,7 +103,7 @@ impl BallBearing {
             for _ in 0..MAX_ROUNDS {
                 let (displacement, standing) =
                     self.carry(operation.load, &known.acting, known.displacement)?;
-                let roll = |(k, standing): (usize, &Standing)| {
+                let roll = |(k, standing): (usize, &BallEquilibrium)| {
                     self.roll(operation, (k, standing), stage, known.motions[k].as_ref())
                 };
                 balls = standing.par_iter().enumerate().map(roll).collect::<Result<Vec<_>, _>>()?;
@@ -126,11 +126,11 @@ impl BallBearing {
     fn roll(
         &self,
         operation: &Operation,
-        (k, standing): (usize, &Standing),
+        (k, standing): (usize, &BallEquilibrium),
         theory: BearingTheory,
         before: Option<&BallMotion>,
     ) -> Result<SolvedBall, BearingError> {
-        let Standing { angles, loads, .. } = *standing;
+        let BallEquilibrium { angles, loads, .. } = *standing;
         let azimuth = self.azimuth(k);
         let pressed = |race: usize| -> Result<Option<Hertz>, BearingError> {
             (loads[race] > 0.0).then(|| self.pressed(race, angles[race], loads[race])).transpose()
@@ -280,15 +280,15 @@ impl Operation {
 /// State of the outer iteration on loads and friction, from round to round.
 struct IterationState {
     displacement: Option<Displacement>,
-    acting: Vec<Acting>,
-    standing: Vec<Standing>,
+    acting: Vec<BallForces>,
+    standing: Vec<BallEquilibrium>,
     motions: Vec<Option<BallMotion>>,
 }
 
 impl IterationState {
     fn new(count: usize, orbit: f64, bearing: &BallBearing) -> Self {
         let centrifugal = bearing.centrifugal(orbit);
-        let acting = vec![Acting { centrifugal, across: [0.0; 2] }; count];
+        let acting = vec![BallForces { centrifugal, across: [0.0; 2] }; count];
         Self { displacement: None, acting, standing: Vec::new(), motions: vec![None; count] }
     }
 
@@ -297,7 +297,7 @@ impl IterationState {
         &mut self,
         bearing: &BallBearing,
         displacement: Displacement,
-        standing: &[Standing],
+        standing: &[BallEquilibrium],
         balls: &[SolvedBall],
         control: Control,
     ) -> f64 {
@@ -312,7 +312,7 @@ impl IterationState {
                 }),
                 Control::Inner | Control::Outer => [ball.gyroscopic / bearing.ball_diameter; 2],
             };
-            let next = Acting { centrifugal: bearing.centrifugal(motion.orbit), across };
+            let next = BallForces { centrifugal: bearing.centrifugal(motion.orbit), across };
             change = change.max((next.centrifugal - acting.centrifugal).abs());
             for race in [INNER, OUTER] {
                 change = change.max((next.across[race] - acting.across[race]).abs());

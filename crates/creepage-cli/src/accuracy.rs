@@ -19,7 +19,7 @@ struct Contestant {
 
 /// How a theory did.
 #[derive(Serialize)]
-struct Standing {
+struct MeasuredAccuracy {
     theory: &'static str,
     options: &'static str,
     #[serde(flatten)]
@@ -78,11 +78,11 @@ fn contestants_of(theory: TheorySpec) -> Result<Vec<Contestant>, Failure> {
 }
 
 impl Contestant {
-    fn measure(&self, cases: &[ReferenceCase]) -> Result<Standing, Failure> {
+    fn measure(&self, cases: &[ReferenceCase]) -> Result<MeasuredAccuracy, Failure> {
         let theory = self.theory.facts().name;
         let accuracy = measure(cases, |contact| self.theory.prepare(contact))
             .map_err(|source| Failure::Theory { theory, source })?;
-        Ok(Standing { theory, options: self.manner, accuracy })
+        Ok(MeasuredAccuracy { theory, options: self.manner, accuracy })
     }
 }
 
@@ -102,9 +102,9 @@ const HEADS: [&str; 12] = [
 ];
 
 /// A table to be read as it is, or pasted.
-fn markdown(standings: &[Standing]) -> String {
+fn markdown(measured: &[MeasuredAccuracy]) -> String {
     let mut rows = vec![HEADS.map(str::to_owned)];
-    rows.extend(standings.iter().map(Standing::row));
+    rows.extend(measured.iter().map(MeasuredAccuracy::row));
     let widths: Vec<usize> =
         (0..HEADS.len()).map(|i| rows.iter().map(|row| row[i].len()).max().unwrap_or(0)).collect();
     // A colon aligns numbers to the right.
@@ -125,7 +125,7 @@ fn markdown(standings: &[Standing]) -> String {
     table
 }
 
-impl Standing {
+impl MeasuredAccuracy {
     fn row(&self) -> [String; 12] {
         let Self { theory, options, accuracy } = self;
         let name =

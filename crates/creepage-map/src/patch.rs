@@ -145,7 +145,7 @@ impl<S: Scalar> From<S> {
 /// Load of a patch on the rail, over the wheel's load: force, moment, and friction's moment about the axle; its
 /// numbers for reports.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Acting<S> {
+pub(crate) struct PatchForces<S> {
     pub(crate) force: [S; 3],
     pub(crate) moment: [S; 3],
     pub(crate) axle: S,
@@ -270,7 +270,7 @@ impl<S: Scalar> Geometry<S> {
     }
 }
 
-impl<S: Scalar> Acting<S> {
+impl<S: Scalar> PatchForces<S> {
     /// What a contact does in a position and motion, over the wheel's load: it lies where its nodes blended have
     /// it, and the forces of each node there are blended. The weights' sum is one.
     pub(crate) fn of(

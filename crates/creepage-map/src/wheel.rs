@@ -5,7 +5,7 @@ use creepage::table::Table;
 use crate::blend::Hermite;
 use crate::error::{MapError, Quantity};
 use crate::normal::{Heights, Placed};
-use crate::patch::{Acting, From, Patch, Prepared, Report, WheelsetState};
+use crate::patch::{From, Patch, PatchForces, Prepared, Report, WheelsetState};
 use crate::scalar::Scalar;
 
 /// Most places of contact of one wheel that are kept apart in reports.
@@ -202,7 +202,7 @@ impl WheelMap {
             let from = From::new(by_place.away[k], by_load.away[l]);
             (by_place.weights[k] * by_load.weights[l], record, from)
         });
-        let mut add = |acting: &Acting<S>, weight: S, slot: usize| {
+        let mut add = |acting: &PatchForces<S>, weight: S, slot: usize| {
             acts.add(acting, weight);
             let slot = slot.min(PLACES - 1);
             weights[slot] += acts.reports[slot].add(&acting.report, weight.value());
@@ -211,13 +211,13 @@ impl WheelMap {
         if nodes.iter().all(|(_, record, _)| record.len() == count) {
             for slot in 0..count {
                 let shares = nodes.map(|(weight, record, from)| (weight, &record[slot], from));
-                add(&Acting::of(&shares, table, asked), one, slot);
+                add(&PatchForces::of(&shares, table, asked), one, slot);
             }
         } else {
             // Nodes of one plane and of two: each acts where it has its own.
             for (weight, record, from) in nodes {
                 for (slot, patch) in record.iter().enumerate() {
-                    add(&Acting::of(&[(one, patch, from)], table, asked), weight, slot);
+                    add(&PatchForces::of(&[(one, patch, from)], table, asked), weight, slot);
                 }
             }
         }
@@ -233,7 +233,7 @@ impl WheelMap {
 }
 
 impl<S: Scalar> WheelActs<S> {
-    fn add(&mut self, acting: &Acting<S>, weight: S) {
+    fn add(&mut self, acting: &PatchForces<S>, weight: S) {
         for k in 0..3 {
             self.force[k] = self.force[k] + acting.force[k] * weight;
             self.moment[k] = self.moment[k] + acting.moment[k] * weight;

@@ -68,7 +68,8 @@ impl RollingData {
             };
             let [longitudinal, lateral, spin] = ["longitudinal", "lateral", "spin"].map(asked);
             let asked = SiCreepage { longitudinal, lateral, spin };
-            let caution = stepper.case().caution_of_motion(asked).map(|caution| caution.to_string());
+            let caution =
+                stepper.case().caution_of_motion(asked).map(|caution| caution.to_string());
             let force = units.si_force(rolled.solution.force);
             Ok((
                 rolled.distance * units.length,

@@ -26,12 +26,12 @@ impl Resultant {
 /// A force (N) and its couple (N m) at a contact's reference point, by the contact's axes `x`, `s`
 /// and the normal into the rail.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Acting {
+pub(crate) struct ContactForces {
     force: [f64; 3],
     couple: [f64; 3],
 }
 
-impl Acting {
+impl ContactForces {
     /// Friction, and a load at the centre of pressure.
     pub(crate) fn new(friction: SiForce, load: f64, [x, s]: [f64; 2]) -> Self {
         Self {

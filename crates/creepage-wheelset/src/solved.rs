@@ -12,7 +12,7 @@ use crate::correction::Correction;
 use crate::derivatives::WheelsetDerivatives;
 use crate::field::Field;
 use crate::pose::RigidSlip;
-use crate::resultant::{Acting, Resultant};
+use crate::resultant::{ContactForces, Resultant};
 use crate::rough::{Roughness, Unmeasured};
 use crate::solver::LoadLine;
 use crate::tilt::Placed;
@@ -172,7 +172,7 @@ impl SolvedContact {
     fn on_rail(&self, point: [f64; 3]) -> Resultant {
         let [along, across, normal] = self.tilt().axes();
         let load = self.normal.load();
-        let acting = Acting::new(self.force, load.value, self.centre_of_pressure());
+        let acting = ContactForces::new(self.force, load.value, self.centre_of_pressure());
         let (force, moment) = acting.about(self.reference, self.tilt(), point);
         let force_error = self.force_error.map(|error| {
             [0, 1, 2].map(|i: usize| {

@@ -75,16 +75,23 @@ fn histories_refuse_what_they_do_not_use() {
 #[test]
 fn a_groove_is_solved_case_by_case() {
     let groove = example("gap/groove.toml");
-    let given = groove.replace("[wanted]\nlongitudinal_force = 0.0", "#").replace(
-        "[creepage]",
-        "[creepage]\nlongitudinal = 1e-3",
-    );
+    let given = groove
+        .replace("[wanted]\nlongitudinal_force = 0.0", "#")
+        .replace("[creepage]", "[creepage]\nlongitudinal = 1e-3");
     let place = Place::new();
     place.write("case.toml", &given);
-    place.run(&["curve", "case.toml", "--vary", "spin"]).refused(&["surface = \"curved\"", "curves"]);
+    place
+        .run(&["curve", "case.toml", "--vary", "spin"])
+        .refused(&["surface = \"curved\"", "curves"]);
     place.write("points.csv", "longitudinal,longitudinal_force\n1e-3,1e3\n2e-3,2e3\n3e-3,2.4e3\n");
-    place.run(&["fit", "case.toml", "--data", "points.csv"]).refused(&["surface = \"curved\"", "fits"]);
-    refused(&["solve"], &given.replace("\"standard\"", "\"auto\""), &["surface = \"curved\"", "auto"]);
+    place
+        .run(&["fit", "case.toml", "--data", "points.csv"])
+        .refused(&["surface = \"curved\"", "fits"]);
+    refused(
+        &["solve"],
+        &given.replace("\"standard\"", "\"auto\""),
+        &["surface = \"curved\"", "auto"],
+    );
     let three = groove.replace("spin = 0.0", "longitudinal = 1e-3");
     refused(&["solve"], &three, &["at a given lateral creepage and spin"]);
 }
@@ -93,7 +100,8 @@ fn a_groove_is_solved_case_by_case() {
 fn numbers_that_would_be_silent_are_refused_or_told() {
     let layer = "[layer]\nthickness = 1e-5\nshear_modulus = 1e9\nyield_stress = 300\n";
     refused(&["solve"], &(fastsim() + layer), &["[layer]", "yield_stress", "at least 1e3 Pa"]);
-    let fast = example("wheel-falling-friction.toml").replace("half_speed = 0.1", "half_speed = 360");
+    let fast =
+        example("wheel-falling-friction.toml").replace("half_speed = 0.1", "half_speed = 360");
     refused(&["solve"], &fast, &["half_speed", "at most 100 m/s"]);
     let worn = example("wheel-wear.toml") + "\n[damage.bre]\nplateau = [-1.0, 200.0]\n";
     refused(&["solve"], &worn, &["bre.plateau", "not negative"]);
@@ -106,7 +114,9 @@ fn numbers_that_would_be_silent_are_refused_or_told() {
     };
     let spins = fastsim().replace("spin = 0.2", "spin = 1e3");
     assert!(said(&["solve"], &spins).contains("in radians per metre rolled"));
-    let large = fastsim().replace("0.46", "460.0").replace("radius_lateral = 0.3", "radius_lateral = 300.0");
+    let large = fastsim()
+        .replace("0.46", "460.0")
+        .replace("radius_lateral = 0.3", "radius_lateral = 300.0");
     assert!(said(&["solve"], &large).contains("radius of the bodies is 300 m"));
     assert!(!said(&["solve"], &fastsim()).contains("radius of the bodies"));
     let turned = example("wheelset/s1002-on-uic60.toml").replace("yaw = 0.0 ", "yaw = 0.2 ");

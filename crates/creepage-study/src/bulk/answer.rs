@@ -78,7 +78,7 @@ impl BulkAnswer {
     #[must_use]
     pub fn damage(&self, wanted: &DamageWanted) -> Damage {
         let (hertz, scaling) = (&self.row.hertz, self.row.contact.scaling());
-        let ground = DamageInput {
+        let input = DamageInput {
             force: self.force(),
             creepage: scaling.si_creepage(self.row.creepage),
             normal: hertz.normal_force(),
@@ -87,7 +87,7 @@ impl BulkAnswer {
             speed: self.row.speed,
             rows: None,
         };
-        Damage::new(wanted, &ground, None)
+        Damage::new(wanted, &input, None)
     }
 
     /// The numbers of [`BulkCase::columns`], with those of `damage` if these are wanted.

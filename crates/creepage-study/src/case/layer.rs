@@ -27,7 +27,8 @@ pub(crate) struct LayerSection {
 
 impl LayerSection {
     pub(crate) fn layer(&self) -> Result<Layer, CaseError> {
-        let soft = [("shear_modulus", Some(self.shear_modulus)), ("yield_stress", self.yield_stress)];
+        let soft =
+            [("shear_modulus", Some(self.shear_modulus)), ("yield_stress", self.yield_stress)];
         for (quantity, value) in soft {
             if let Some(value) = value.filter(|value| *value > 0.0 && *value < SOFTEST) {
                 let valid = "at least 1e3 Pa";

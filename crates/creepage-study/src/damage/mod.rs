@@ -31,7 +31,7 @@ impl SolvedCase {
     fn compute_damage(&self) -> Result<Option<Damage>, StressError> {
         let Some(wanted) = self.case.damage() else { return Ok(None) };
         let (scaling, rows) = (self.scaling(), self.rows());
-        let ground = DamageInput {
+        let input = DamageInput {
             force: scaling.si_force(self.solution().force),
             creepage: scaling.si_creepage(self.creepage()),
             normal: self.load().value,
@@ -41,14 +41,11 @@ impl SolvedCase {
             rows: rows.as_deref(),
         };
         let limit = wanted.shakedown.then(|| self.shakedown(wanted)).transpose()?;
-        Ok(Some(Damage::new(wanted, &ground, limit)))
+        Ok(Some(Damage::new(wanted, &input, limit)))
     }
 
     /// Melan's bound for the lower body, and where it fatigues.
-    fn shakedown(
-        &self,
-        wanted: &DamageWanted,
-    ) -> Result<(Shakedown, FatigueStress), StressError> {
+    fn shakedown(&self, wanted: &DamageWanted) -> Result<(Shakedown, FatigueStress), StressError> {
         let ([_, half], [_, lower]) = (self.box_around(), self.case.solids());
         let (interior, settled) = Stresses::interior(self, lower, Body::Lower)?;
         let block = ShakedownBlock { top: settled, ..ShakedownBlock::of(half) };

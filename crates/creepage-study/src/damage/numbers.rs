@@ -2,7 +2,9 @@
 
 use std::f64::consts::PI;
 
-use creepage::damage::{FatigueStress, Row, Shakedown, TGamma, WearZone, local_surface_index, surface_index};
+use creepage::damage::{
+    FatigueStress, Row, Shakedown, TGamma, WearZone, local_surface_index, surface_index,
+};
 use creepage::{SiCreepage, SiForce};
 use serde::Serialize;
 
@@ -120,16 +122,16 @@ impl Damage {
 
     pub(crate) fn new(
         wanted: &DamageWanted,
-        ground: &DamageInput,
+        input: &DamageInput,
         below: Option<(Shakedown, FatigueStress)>,
     ) -> Self {
         let (shakedown, fatigue) = below.unzip();
         let constants = wanted.constants;
-        let work = TGamma::new(ground.force, ground.creepage);
-        let traction = ground.force.longitudinal.hypot(ground.force.lateral);
-        let index = work.with_spin / ground.area;
-        let across = across(wanted, ground);
-        let rows = ground.rows.unwrap_or_default();
+        let work = TGamma::new(input.force, input.creepage);
+        let traction = input.force.longitudinal.hypot(input.force.lateral);
+        let index = work.with_spin / input.area;
+        let across = across(wanted, input);
+        let rows = input.rows.unwrap_or_default();
         let by_width = |of: fn(&WearRow) -> Option<f64>| {
             let areas = across.iter().zip(rows).map(|(wear, row)| Some(of(wear)? * row.width));
             if across.is_empty() { None } else { areas.sum::<Option<f64>>() }
@@ -137,8 +139,8 @@ impl Damage {
         let deepest =
             |of: fn(&WearRow) -> Option<f64>| across.iter().filter_map(of).reduce(f64::max);
         let elements: Vec<_> = rows.iter().flat_map(|row| row.elements.iter().copied()).collect();
-        let drives = ground.force.longitudinal;
-        let half = (ground.area / PI).sqrt();
+        let drives = input.force.longitudinal;
+        let half = (input.area / PI).sqrt();
         Self {
             t_gamma_n: work.without_spin,
             t_gamma_with_spin_n: work.with_spin,
@@ -155,18 +157,18 @@ impl Damage {
             archard_zone: across.iter().filter_map(|row| row.zone).max().map(WearZone::name),
             wlrm_damage: constants.wlrm.damage(work.with_spin),
             wlrm_directed_damage: constants.wlrm.directed_damage(work.with_spin, drives),
-            traction_coefficient: traction / ground.normal,
-            peak_over_shear_yield: ground.peak / constants.shear_yield,
+            traction_coefficient: traction / input.normal,
+            peak_over_shear_yield: input.peak / constants.shear_yield,
             surface_fatigue_index: surface_index(
                 traction,
-                ground.normal,
-                ground.peak,
+                input.normal,
+                input.peak,
                 constants.shear_yield,
             ),
             local_surface_fatigue_index: local_surface_index(&elements, constants.shear_yield),
             subsurface_fatigue_index_pa: constants.ekberg.index(
-                ground.normal,
-                traction / ground.normal,
+                input.normal,
+                traction / input.normal,
                 [half; 2],
             ),
             shakedown_load_factor: shakedown.map(|limit| limit.load_factor(constants.shear_yield)),
@@ -181,10 +183,10 @@ impl Damage {
 }
 
 /// Wear row by row.
-fn across(wanted: &DamageWanted, ground: &DamageInput) -> Vec<WearRow> {
+fn across(wanted: &DamageWanted, input: &DamageInput) -> Vec<WearRow> {
     let constants = &wanted.constants;
     let wear = |row: &Row| {
-        let archard = ground.speed.map(|speed| constants.archard.wear(&row.elements, speed));
+        let archard = input.speed.map(|speed| constants.archard.wear(&row.elements, speed));
         WearRow {
             y: row.y,
             usfd_depth: constants.usfd.depth(&row.elements, constants.density),
@@ -192,5 +194,5 @@ fn across(wanted: &DamageWanted, ground: &DamageInput) -> Vec<WearRow> {
             zone: archard.map(|wear| wear.zone),
         }
     };
-    ground.rows.unwrap_or_default().iter().map(wear).collect()
+    input.rows.unwrap_or_default().iter().map(wear).collect()
 }

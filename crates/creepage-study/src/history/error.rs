@@ -233,7 +233,9 @@ pub enum MotionError {
         most: f64,
     },
     /// A moment that friction cannot give.
-    #[error("the moment, {moment} N m, is not reachable: friction gives at most {most} N m, spinning on the spot")]
+    #[error(
+        "the moment, {moment} N m, is not reachable: friction gives at most {most} N m, spinning on the spot"
+    )]
     MomentBeyondFriction {
         /// Its size (N m).
         moment: f64,

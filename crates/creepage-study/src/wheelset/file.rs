@@ -561,7 +561,8 @@ pub(super) fn loaded(
             Err(CaseError::Conflict { first, second }.into())
         }
         (None, Some(points)) => {
-            let smoothing = reading.map(|reading| reading.smoothing_of_points(section)).transpose()?;
+            let smoothing =
+                reading.map(|reading| reading.smoothing_of_points(section)).transpose()?;
             let smoothing = smoothing.flatten();
             Ok((of_points((section, role), points, smoothing)?, None))
         }

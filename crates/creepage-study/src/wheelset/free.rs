@@ -26,7 +26,7 @@ impl GivenOrFree {
 
 impl<'de> Deserialize<'de> for GivenOrFree {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(FreelyVisitor)
+        deserializer.deserialize_any(GivenOrFreeVisitor)
     }
 }
 
@@ -38,9 +38,9 @@ pub(super) enum PitchValue {
     Wheels([GivenOrFree; 2]),
 }
 
-struct FreelyVisitor;
+struct GivenOrFreeVisitor;
 
-impl Visitor<'_> for FreelyVisitor {
+impl Visitor<'_> for GivenOrFreeVisitor {
     type Value = GivenOrFree;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -70,7 +70,7 @@ impl Visitor<'_> for FreelyVisitor {
 
 impl JsonSchema for GivenOrFree {
     fn schema_name() -> Cow<'static, str> {
-        "Freely".into()
+        "GivenOrFree".into()
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {

@@ -183,7 +183,8 @@ impl WheelsetCase {
         };
         let sides = [Side::Left, Side::Right];
         let mut all: Vec<_> = sides.into_iter().filter_map(climbs).collect();
-        let guarded = sides.into_iter().filter(|side| self.running.track().rail(*side).guard().is_some());
+        let guarded =
+            sides.into_iter().filter(|side| self.running.track().rail(*side).guard().is_some());
         all.extend(guarded.map(|side| (side, Caution::NoGuard)));
         let steel = || Solid::new(82e9, 0.28).map(|solid| SolidPair::new(solid, solid));
         let unmeasured = unmeasured_profiles(&self.running, difference, rolls);

@@ -64,7 +64,7 @@ fn damage(contact: &SolvedContact, wanted: &DamageWanted, speed: f64) -> Damage 
     let RollingCreepage { longitudinal, lateral, spin, .. } = contact.creepage;
     let creepage = SiCreepage { longitudinal, lateral, spin };
     let rows = of_elements(&contact.elements(), contact.scaling, normal, creepage);
-    let ground = DamageInput {
+    let input = DamageInput {
         force: contact.force,
         creepage,
         normal,
@@ -73,7 +73,7 @@ fn damage(contact: &SolvedContact, wanted: &DamageWanted, speed: f64) -> Damage 
         speed: Some(speed),
         rows: Some(&rows),
     };
-    Damage::new(wanted, &ground, None)
+    Damage::new(wanted, &input, None)
 }
 
 /// `y` in the profiles of rail and wheel (m) at the place `s` across the contact, along its

@@ -5,7 +5,7 @@ use creepage_rail::Side;
 use super::WheelsetSolver;
 use super::implicit_derivative::{FreeVariables, WheelJacobians};
 use super::normal_contact::PatchWarmStart;
-use super::pose_derivative::{LoadJacobian, Standing, WheelLoads};
+use super::pose_derivative::{LoadJacobian, PoseDerivative, WheelLoads};
 use super::tangential::Method;
 use crate::derivatives::{Row, WheelsetDerivatives};
 use crate::solved::SolvedWheelset;
@@ -57,14 +57,14 @@ impl WheelsetSolver<'_> {
         let known = PatchWarmStart::solved(solved);
         let mut pairs = [[LoadJacobian::zeros(); 2]; 2];
         for wheel in solved.wheels() {
-            let standing = Standing {
+            let pose_derivative = PoseDerivative {
                 solver: self,
                 wheel,
                 known: &known,
                 motion: solved.motion_of(wheel),
                 method,
             };
-            for (pair, partial) in pairs.iter_mut().zip(standing.partials()?) {
+            for (pair, partial) in pairs.iter_mut().zip(pose_derivative.partials()?) {
                 pair[usize::from(wheel.side == Side::Right)] = partial;
             }
         }

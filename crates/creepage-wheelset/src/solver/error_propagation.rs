@@ -14,7 +14,7 @@ use super::tangential::{BALANCED, axle};
 use super::vertical_load::Target;
 use crate::Load;
 use crate::pose::{Drive, PitchRate, WheelsetPose, WheelsetVelocity};
-use crate::resultant::Acting;
+use crate::resultant::ContactForces;
 use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::tilt::Placed;
 
@@ -262,7 +262,7 @@ impl SolvedContact {
         let units = [0, 1, 2].map(|part: usize| [0, 1, 2].map(|k| f64::from(u8::from(k == part))));
         let [longitudinal, lateral, moment] = units.map(|[longitudinal, lateral, moment]| {
             let force = SiForce { longitudinal, lateral, moment };
-            let acting = Acting::new(force, 0.0, [0.0; 2]);
+            let acting = ContactForces::new(force, 0.0, [0.0; 2]);
             let (_, about) = acting.about(self.reference, self.tilt(), centre);
             about.iter().zip(axle).map(|(part, along)| part * along).sum()
         });

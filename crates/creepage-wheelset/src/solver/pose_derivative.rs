@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::normal_contact::{PatchWarmStart, PressedContact, PressedWheel};
 use super::tangential::{Method, Rolling};
 use super::{WheelsetSolver, motion_derivative};
-use crate::resultant::Acting;
+use crate::resultant::ContactForces;
 use crate::solved::SolvedWheel;
 use crate::tilt::Placed;
 use crate::{StateVariable, WheelsetError};
@@ -40,7 +40,7 @@ const DIFFERENCE_STEPS: [(StateVariable, f64); 4] = [
 const TIMES: [f64; 2] = [1.0, 2.0];
 
 /// One wheel where it stands, as it moves.
-pub(crate) struct Standing<'s, 'a> {
+pub(crate) struct PoseDerivative<'s, 'a> {
     pub(crate) solver: &'s WheelsetSolver<'a>,
     pub(crate) wheel: &'s SolvedWheel,
     pub(crate) known: &'s [PatchWarmStart],
@@ -48,7 +48,7 @@ pub(crate) struct Standing<'s, 'a> {
     pub(crate) method: Method,
 }
 
-impl<'a> Standing<'_, 'a> {
+impl<'a> PoseDerivative<'_, 'a> {
     /// Its derivatives with the step, and with twice the step.
     pub(crate) fn partials(&self) -> Result<[LoadJacobian; 2], WheelsetError> {
         let all: Vec<_> =
@@ -114,7 +114,7 @@ impl<'a> Standing<'_, 'a> {
     /// Friction and a load at a contact.
     fn acting(&self, rolling: &Rolling<'_, '_>, friction: SiForce, load: f64) -> WheelLoads {
         let PressedContact { contact, normal } = rolling.pressed;
-        let acting = Acting::new(friction, load, normal.centroid());
+        let acting = ContactForces::new(friction, load, normal.centroid());
         let origin = self.wheel.rail_origin;
         let ([x, y, z], [mx, my, mz]) = acting.about(contact.reference, contact.tilt(), origin);
         let (_, [about, ..]) = acting.about(contact.reference, contact.tilt(), rolling.centre());

@@ -6,7 +6,7 @@ use super::WheelsetSolver;
 use super::normal_contact::{PatchWarmStart, PressedWheel};
 use super::tangential::{Rolled, TractionWarmStart};
 use super::vertical_load::{LoadLine, Target};
-use crate::resultant::Acting;
+use crate::resultant::ContactForces;
 use crate::solved::{SolvedWheel, SolvedWheelset};
 use crate::tilt::Placed;
 use crate::warm_start::{LateralForceRatios, PitchState};
@@ -50,7 +50,7 @@ pub(crate) struct Start {
     /// Where the wheels stand nearly, beside a position that was solved.
     pub(crate) places: Option<Vec<Place>>,
     /// Roll (rad) and depths of the left and the right wheel below first touch (m) in a position farther off.
-    pub(super) stood: Option<(f64, [f64; 2])>,
+    pub(super) previous_depths: Option<(f64, [f64; 2])>,
 }
 
 /// Depths below the height of first touch (m).
@@ -67,7 +67,7 @@ impl WheelsetSolver<'_> {
 
     /// What a solved position tells of one farther off.
     pub(super) fn far_from(&self, before: &SolvedWheelset) -> Start {
-        Start { stood: self.stood(before), ..self.after(before) }
+        Start { previous_depths: self.previous_depths(before), ..self.after(before) }
     }
 
     /// What a solved position tells of one beside it.
@@ -81,22 +81,22 @@ impl WheelsetSolver<'_> {
             pressures: PatchWarmStart::solved(before),
             friction: contacts.filter_map(TractionWarmStart::of_fine_grid).collect(),
             places: None,
-            stood: None,
+            previous_depths: None,
         }
     }
 
     /// Roll and depths of a solved position.
-    fn stood(&self, before: &SolvedWheelset) -> Option<(f64, [f64; 2])> {
+    fn previous_depths(&self, before: &SolvedWheelset) -> Option<(f64, [f64; 2])> {
         let mut depths = [FIRST_DEPTH; 2];
-        let mut stood = None;
+        let mut previous_depths = None;
         for wheel in before.wheels() {
             let Position { y, z, roll, yaw } = wheel.position;
             let touch = self.press.running.first_touch(wheel.side, y, roll, yaw).ok()?;
             depths[usize::from(wheel.side == Side::Right)] =
                 (z - touch).clamp(DEPTHS[0], DEPTHS[1]);
-            stood = Some((roll, depths));
+            previous_depths = Some((roll, depths));
         }
-        stood
+        previous_depths
     }
 
     /// Slope of a load to the power 2/3 by the depth (N^(2/3)/m), about that of Hertz.
@@ -107,7 +107,7 @@ impl WheelsetSolver<'_> {
         modulus.cbrt().powi(2) * radius.cbrt() / FACTOR
     }
 
-    /// Wheels that nearly carry what is asked for: so deep below first touch as Hertz has it, or as they stood
+    /// Wheels that nearly carry what is asked for: so deep below first touch as Hertz has it, or as they previous_depths
     /// before; `part` of that.
     pub(super) fn first_places(
         &self,
@@ -123,7 +123,7 @@ impl WheelsetSolver<'_> {
         };
         let WheelsetPose { y, yaw, .. } = *stance;
         let given = stance.roll.or(stance.side.map(|_| 0.0));
-        let roll = match given.or(start.stood.map(|(roll, _)| roll)) {
+        let roll = match given.or(start.previous_depths.map(|(roll, _)| roll)) {
             Some(roll) => roll,
             None => running.resting(y, yaw, None).map_err(WheelsetError::Resting)?.roll,
         };
@@ -139,7 +139,7 @@ impl WheelsetSolver<'_> {
         let under = |side: Side| -> Result<f64, WheelsetError> {
             let touch = running.first_touch(side, y, roll, yaw);
             let touch = touch.map_err(|source| WheelsetError::Position { side, source })?;
-            let depth = match start.stood {
+            let depth = match start.previous_depths {
                 Some((_, depths)) => depths[usize::from(side == Side::Right)],
                 None => hertzian.clamp(DEPTHS[0], DEPTHS[1]),
             };
@@ -204,7 +204,7 @@ pub(super) fn levers(wheels: &[PressedWheel<'_>], rolled: &[Rolled<'_>]) -> Opti
         let (mut moment, mut vertical) = (0.0, 0.0);
         for pressed in &wheel.contacts {
             let (contact, friction) = (&pressed.contact, rolled.next()?.force);
-            let acting = Acting::new(friction, pressed.load(), pressed.normal.centroid());
+            let acting = ContactForces::new(friction, pressed.load(), pressed.normal.centroid());
             let (force, about) = acting.about(contact.reference, contact.tilt(), centre);
             moment += about[0];
             vertical += force[2];

@@ -17,7 +17,7 @@ use super::normal_contact::{PressedContact, PressedWheel};
 use crate::correction::Correction;
 use crate::curving::{Curving, RigidMotion};
 use crate::pose::{Drive, PitchRate, RigidSlip};
-use crate::resultant::Acting;
+use crate::resultant::ContactForces;
 use crate::solved::SolvedContact;
 use crate::tilt::{Placed, distance};
 use crate::warm_start::PitchState;
@@ -304,7 +304,7 @@ impl<'w, 'a> Rolling<'w, 'a> {
         let contact = &self.pressed.contact;
         if contact.varies() {
             let load = if contact.wheel_varies() { self.pressed.load() } else { 0.0 };
-            let acting = Acting::new(force, load, self.pressed.normal.centroid());
+            let acting = ContactForces::new(force, load, self.pressed.normal.centroid());
             let (_, moment) = acting.about(contact.reference, contact.tilt(), self.centre());
             return moment.iter().zip(self.axle()).map(|(m, a)| m * a).sum();
         }

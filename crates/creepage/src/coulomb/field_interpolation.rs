@@ -87,7 +87,7 @@ impl<'a> FieldInterpolation<'a> {
         let (pressure, mesh) = (&self.grid.pressure, &self.grid.mesh);
         let element = mesh.elements(strip).start + i;
         let bound = pressure.bounds[element];
-        let (traction, slip) = self.state.visible(self.grid, element);
+        let (traction, slip) = self.state.traction_and_slip(self.grid, element);
         ElementField {
             point: FieldPoint {
                 position: pressure.centroids[element],
@@ -122,7 +122,7 @@ impl<'a> FieldInterpolation<'a> {
         let ([x, y], mesh) = (position, &self.grid.mesh);
         let ([mut p, mut q], [mut u, mut v]) = ([0.0; 2], [0.0; 2]);
         for (element, weight) in mesh.around(strip, y, along) {
-            let (traction, slip) = self.state.visible(self.grid, element);
+            let (traction, slip) = self.state.traction_and_slip(self.grid, element);
             let slip = slip.unwrap_or_default();
             p += weight * traction[0];
             q += weight * traction[1];

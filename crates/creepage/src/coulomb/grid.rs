@@ -118,7 +118,7 @@ impl Grid {
     }
 
     /// The same with adhesion that gives way where spin turns the slip about within an element.
-    pub(crate) fn with_turning(mut self) -> Self {
+    pub(crate) fn with_spin_compliance(mut self) -> Self {
         let half_width = |(strip, _): (usize, usize)| {
             let [low, high] = self.mesh.strips[strip].borders();
             0.5 * (high - low)
@@ -180,7 +180,7 @@ impl Grid {
     /// Sets what drives the slip; `side` is the sign of the pressure's part.
     pub(crate) fn set_forcing(&self, creepage: Creepage, side: f64, forcing: &mut SlipForcing) {
         forcing.set(creepage, &self.places, side, &self.pressure_slip);
-        spin_pole::set_give(&self.half_widths, &self.weights, forcing);
+        spin_pole::set_spin_compliance(&self.half_widths, &self.weights, forcing);
     }
 }
 

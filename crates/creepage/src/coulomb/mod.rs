@@ -164,7 +164,8 @@ impl Exact {
         let [along, across] = resolution.coarse_steady(ellipse.ratio(), contact.kappa_over_mu());
         let grids = Grid::pair(|k| {
             let mesh = mesh::Mesh::ellipse(ellipse, k * along, k * across);
-            let grid = Grid::hertz(ellipse, poisson, contact.kappa_over_mu(), mesh).with_turning();
+            let grid =
+                Grid::hertz(ellipse, poisson, contact.kappa_over_mu(), mesh).with_spin_compliance();
             let (friction, layer) = (contact.rolling_friction(), contact.layer());
             let is_long = ellipse.ratio() > mesh::LONG;
             Grid { is_long, ..grid.with_resistance(friction, layer, contact.scaling()) }

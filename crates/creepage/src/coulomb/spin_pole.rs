@@ -27,7 +27,7 @@ pub(super) fn corner(spin: f64) -> [f64; 2] {
 }
 
 /// Sets how adhesion gives way, in parts of each element's weight of slip.
-pub(super) fn set_give(half_widths: &[f64], weights: &[f64], forcing: &mut SlipForcing) {
+pub(super) fn set_spin_compliance(half_widths: &[f64], weights: &[f64], forcing: &mut SlipForcing) {
     let spin = forcing.spin;
     forcing.compliance.clear();
     forcing.compliance.extend(half_widths.iter().zip(weights).map(|(half_width, weight)| {

@@ -13,7 +13,7 @@ const FOLLOWED: usize = 3;
 /// Points of a closer look, either way along each axis.
 const REFINED_REACH: i32 = 2;
 /// Closer looks, each of half the size.
-const LOOKS: usize = 18;
+const REFINEMENTS: usize = 18;
 
 /// The largest value of a measure and its place.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,23 +68,23 @@ pub fn largest(
     // Elements far away are taken together until it is known which hill is the highest.
     let (mut first, mut best) = (seen[0], seen[0]);
     for start in seen.into_iter().take(FOLLOWED) {
-        let top = look_closer(start, [low, high], &quick)?;
+        let top = refine_maximum(start, [low, high], &quick)?;
         if top.value > best.value {
             (first, best) = (start, top);
         }
     }
-    look_closer(at(first.point)?, [low, high], &at)
+    refine_maximum(at(first.point)?, [low, high], &at)
 }
 
 /// Looks at the points around the best, and again around the best of these at half the distance.
-fn look_closer(
+fn refine_maximum(
     start: Largest,
     [low, high]: [[f64; 3]; 2],
     at: &(impl Fn([f64; 3]) -> Result<Largest, InvalidValue> + Sync),
 ) -> Result<Largest, InvalidValue> {
     let (mut best, mut step) = (start, 0.5 / (SCAN_POINTS - 1) as f64);
     let side = 2 * REFINED_REACH + 1;
-    for _ in 0..LOOKS {
+    for _ in 0..REFINEMENTS {
         let centre = best.point;
         let around = (0..side.pow(3)).into_par_iter().map(|k| {
             let place = [k % side, k / side % side, k / side.pow(2)];

@@ -196,7 +196,8 @@ impl TransientLevel {
     pub(crate) fn result(&self) -> Result {
         let (sum, scale) = (self.state.sum(&self.grid, 1.0), self.system.scale);
         let (cube, Force { fx, fy, mz }) = (scale.powi(3), sum.force);
-        let adhering = |element: &usize| self.state.visible(&self.grid, *element).1.is_none();
+        let adhering =
+            |element: &usize| self.state.traction_and_slip(&self.grid, *element).1.is_none();
         let area = |element: usize| self.elements.all[element].area;
         let elements = 0..self.elements.all.len();
         let all: f64 = elements.clone().map(area).sum();
@@ -257,7 +258,7 @@ impl TransientLevel {
         // Before anything is solved nothing slips.
         let is_solved = self.system.scale > 0.0;
         let slip = |element: usize| {
-            let [x, y] = self.state.visible(&self.grid, element).1.unwrap_or_default();
+            let [x, y] = self.state.traction_and_slip(&self.grid, element).1.unwrap_or_default();
             x.hypot(y)
         };
         let Grid { mesh, pressure, .. } = &self.grid;

@@ -254,7 +254,7 @@ impl Rolling {
         let place = |at: [f64; 2]| at.map(|x| scale * x);
         let element = |(index, (strip, i)): (usize, (usize, usize))| {
             let bound = scale * grid.pressure.bounds[index];
-            let (traction, slip) = track.state.visible(grid, index);
+            let (traction, slip) = track.state.traction_and_slip(grid, index);
             let point = FieldPoint {
                 position: place(grid.pressure.centroids[index]),
                 traction: traction.map(|t| bound * t),

@@ -22,9 +22,9 @@ struct PressedDepth {
 }
 
 impl PressedDepth {
-    fn of(image: Image, z: f64, stood: &PressedContacts<'_>) -> Self {
+    fn of(image: Image, z: f64, pressed: &PressedContacts<'_>) -> Self {
         let mut level = Self { z, load: 0.0, centre: [0.0; 2] };
-        for (contact, normal) in stood {
+        for (contact, normal) in pressed {
             let (load, (sin, cos)) = (normal.load().value, contact.angle.sin_cos());
             let [_, s] = normal.centroid();
             let [_, y, z] = contact.reference;
@@ -46,14 +46,14 @@ pub(super) struct Column {
 
 /// A place pressed as it is, and at the map's rolls and yaws: [`nodes`] makes [`HeightNode`]s of them.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Stood {
+pub(super) struct PressedPlace {
     pub(super) place: f64,
     pub(super) roll: f64,
     pub(super) own: Column,
     pub(super) turned: [Column; TURNS],
 }
 
-impl Stood {
+impl PressedPlace {
     /// Its numbers in a row, as journals have them.
     pub(super) fn numbers(&self) -> Vec<f64> {
         let columns = std::iter::once(&self.own).chain(&self.turned);
@@ -137,13 +137,13 @@ fn power(load: f64) -> f64 {
 
 /// A wheel at `y` and `roll` of its right-hand image, and at the further rolls and yaws of the map, of which the largest
 /// are given.
-pub(super) fn stood(
+pub(super) fn press_place(
     solver: &WheelsetSolver<'_>,
     (image, half_distance): (Image, f64),
     [y, roll]: [f64; 2],
     [most_roll, most_yaw]: [f64; 2],
     loads: &[f64; HEIGHTS],
-) -> Result<Stood, WheelsetError> {
+) -> Result<PressedPlace, WheelsetError> {
     let radius = image.radius();
     let mut near = Vec::new();
     let mut pressed = |at: [f64; 3]| column((solver, image), at, loads, &mut near);
@@ -160,7 +160,7 @@ pub(super) fn stood(
             *column = pressed([y + 0.5 * half_distance * square, roll, square.sqrt()])?;
         }
     }
-    Ok(Stood { place: y - radius * roll, roll, own, turned })
+    Ok(PressedPlace { place: y - radius * roll, roll, own, turned })
 }
 
 fn level<'a>(
@@ -176,25 +176,25 @@ fn level<'a>(
 }
 
 /// The nodes: each finds its contact under a turn where, without it, the load lies nearest to it on the rail.
-pub(super) fn nodes(stood: &[Stood]) -> Vec<HeightNode> {
-    let node = |(at, stood_there): (usize, &Stood)| {
-        let Stood { place, roll, own, turned } = stood_there;
+pub(super) fn nodes(places: &[PressedPlace]) -> Vec<HeightNode> {
+    let node = |(at, place_there): (usize, &PressedPlace)| {
+        let PressedPlace { place, roll, own, turned } = place_there;
         let turned = turned.map(|column| Turned {
-            aside: std::array::from_fn(|k| aside(stood, (at, k), column.centres[k])),
+            aside: std::array::from_fn(|k| aside(places, (at, k), column.centres[k])),
             lowered: std::array::from_fn(|k| column.heights[k] - own.heights[k]),
         });
         HeightNode { place: *place, roll: *roll, heights: own.heights, turned }
     };
-    stood.iter().enumerate().map(node).collect()
+    places.iter().enumerate().map(node).collect()
 }
 
 /// How far along the map (m) from the node `at` the load number `k` lies nearest to `centre` on the rail.
-fn aside(stood: &[Stood], (at, k): (usize, usize), centre: [f64; 2]) -> f64 {
-    let place = stood[at].place;
-    let first = stood.partition_point(|stood| stood.place < place - ASIDE);
-    let last = stood.partition_point(|stood| stood.place <= place + ASIDE);
+fn aside(places: &[PressedPlace], (at, k): (usize, usize), centre: [f64; 2]) -> f64 {
+    let place = places[at].place;
+    let first = places.partition_point(|one| one.place < place - ASIDE);
+    let last = places.partition_point(|one| one.place <= place + ASIDE);
     let (mut found, mut nearest) = (0.0, f64::INFINITY);
-    for pair in stood[first..last].windows(2) {
+    for pair in places[first..last].windows(2) {
         let [low, high] = [pair[0].place, pair[1].place];
         let [from, to] = [pair[0].own.centres[k], pair[1].own.centres[k]];
         let along = [to[0] - from[0], to[1] - from[1]];

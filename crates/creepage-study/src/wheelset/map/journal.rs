@@ -11,7 +11,7 @@ use creepage_map::{Ellipse, Patch, Sloped};
 use creepage_rail::Side;
 
 use super::MapBuildError;
-use super::heights::Stood;
+use super::heights::PressedPlace;
 use crate::sources::keep_foreign;
 
 const MAGIC: &[u8; 16] = b"creepage map 3\r\n";
@@ -81,14 +81,14 @@ impl Journal {
     pub(super) fn heights(
         &self,
         (side, place): (Side, i32),
-        build: impl FnOnce() -> Result<Option<Stood>, MapBuildError>,
-    ) -> Result<Option<Stood>, MapBuildError> {
+        build: impl FnOnce() -> Result<Option<PressedPlace>, MapBuildError>,
+    ) -> Result<Option<PressedPlace>, MapBuildError> {
         let key = (u8::from(side == Side::Right), i64::from(place));
         if let Some(numbers) = self.known.get(&key) {
-            return Ok(Stood::of_numbers(numbers));
+            return Ok(PressedPlace::of_numbers(numbers));
         }
         let built = build()?;
-        let numbers = built.as_ref().map_or_else(Vec::new, Stood::numbers);
+        let numbers = built.as_ref().map_or_else(Vec::new, PressedPlace::numbers);
         self.write(key, &numbers)?;
         Ok(built)
     }

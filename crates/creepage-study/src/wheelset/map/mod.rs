@@ -23,7 +23,7 @@ use creepage_wheelset::{RailFriction, WheelsetSolver};
 use rayon::prelude::*;
 
 pub use self::error::MapBuildError;
-use self::heights::Stood;
+use self::heights::PressedPlace;
 use self::image::Image;
 use self::journal::Journal;
 use self::node::Place;
@@ -135,7 +135,7 @@ impl Builder<'_> {
         let loads = self.plan.height_loads();
         let all = usize::try_from(2 * count + 1).unwrap_or(0);
         let done = std::sync::atomic::AtomicUsize::new(0);
-        let one = |k: i32| -> Result<Option<Stood>, MapBuildError> {
+        let one = |k: i32| -> Result<Option<PressedPlace>, MapBuildError> {
             let found = self.journal.heights((side, k), || Ok(self.height((side, k), &loads)))?;
             let done = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
             self.goes_on(MapStage::Heights(done, all))?;
@@ -151,24 +151,25 @@ impl Builder<'_> {
         while last + 1 < found.len() && rises(&found, last, spacing) {
             last += 1;
         }
-        let stood: Vec<Stood> =
+        let places: Vec<PressedPlace> =
             found.get(first..=last).unwrap_or_default().iter().flatten().copied().collect();
-        if stood.len() < 5 {
-            return Err(MapBuildError::Short { places: stood.len() });
+        if places.len() < 5 {
+            return Err(MapBuildError::Short { places: places.len() });
         }
-        let nodes = heights::nodes(&stood);
+        let nodes = heights::nodes(&places);
         let y = [first, last].map(|k| (k as f64 - f64::from(count)) * spacing);
         Ok((y, Heights::new(nodes, loads)?))
     }
 
-    fn height(&self, (side, k): (Side, i32), loads: &[f64; HEIGHTS]) -> Option<Stood> {
+    fn height(&self, (side, k): (Side, i32), loads: &[f64; HEIGHTS]) -> Option<PressedPlace> {
         let image = self.image(side);
         let y = f64::from(k) * self.plan.spacing;
         let of = (image, self.head.half_distance);
         let most = [self.head.roll, self.head.yaw];
-        let stood = || heights::stood(&self.solver, of, [y, image.free_roll(y)?], most, loads);
+        let pressed =
+            || heights::press_place(&self.solver, of, [y, image.free_roll(y)?], most, loads);
         // Where profiles end, the map ends.
-        stood().ok().filter(Stood::is_finite)
+        pressed().ok().filter(PressedPlace::is_finite)
     }
 
     fn finish(
@@ -213,7 +214,7 @@ impl Builder<'_> {
 }
 
 /// Whether the place rises enough from a node to the next one.
-fn rises(nodes: &[Option<Stood>], from: usize, spacing: f64) -> bool {
+fn rises(nodes: &[Option<PressedPlace>], from: usize, spacing: f64) -> bool {
     /// Part of the step of `y` by which a place must go on.
     const MIN_RISE: f64 = 0.05;
     let pair = nodes.get(from).zip(nodes.get(from + 1));

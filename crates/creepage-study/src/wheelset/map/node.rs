@@ -48,13 +48,13 @@ impl Place<'_> {
         (table, poisson): (&Table, f64),
         [load, height]: [f64; 2],
     ) -> Result<Vec<Patch>, MapBuildError> {
-        let stood = self.under(solver, load, height)?;
-        let vertical = vertical(&stood);
+        let pressed = self.under(solver, load, height)?;
+        let vertical = vertical(&pressed);
         if vertical <= 0.0 {
             return Err(MapBuildError::NotPressed { y: self.y, load });
         }
         let mut patches = Vec::new();
-        for (contact, normal) in &stood {
+        for (contact, normal) in &pressed {
             if is_counted(contact, normal, vertical) {
                 patches.push(self.patch((contact, normal), vertical, (table, poisson))?);
             }
@@ -74,9 +74,9 @@ impl Place<'_> {
     ) -> Result<Option<Vec<[f64; 4]>>, MapBuildError> {
         let Self { y, roll, .. } = *self;
         let position = self.image.track(Position { y, z: height, roll, yaw: 0.0 });
-        let stood = solver.stand((self.image.side(), position), self.solids, &Vec::new())?;
-        let (sense, vertical) = (self.image.sense(), vertical(&stood));
-        let mut all: Vec<[f64; 4]> = stood
+        let pressed = solver.stand((self.image.side(), position), self.solids, &Vec::new())?;
+        let (sense, vertical) = (self.image.sense(), vertical(&pressed));
+        let mut all: Vec<[f64; 4]> = pressed
             .iter()
             .filter(|(contact, normal)| is_counted(contact, normal, vertical))
             .map(|(contact, normal)| {
@@ -99,19 +99,19 @@ impl Place<'_> {
         const LOAD_TOLERANCE: f64 = 3e-3;
         let rest = self.image.touch([self.y, self.roll, 0.0])?;
         let mut depth = (height - rest).max(1e-6);
-        let mut stood = Vec::new();
+        let mut pressed = Vec::new();
         for _ in 0..ROUNDS {
             let Self { y, roll, .. } = *self;
             let position = self.image.track(Position { y, z: rest + depth, roll, yaw: 0.0 });
-            stood = solver.stand((self.image.side(), position), self.solids, &stood)?;
-            let found = vertical(&stood);
+            pressed = solver.stand((self.image.side(), position), self.solids, &pressed)?;
+            let found = vertical(&pressed);
             if (found / load - 1.0).abs() < LOAD_TOLERANCE {
                 break;
             }
             let times = if found > 0.0 { (load / found).cbrt().powi(2) } else { 2.0 };
             depth *= times.clamp(0.5, 2.0);
         }
-        Ok(stood)
+        Ok(pressed)
     }
 
     fn patch(
@@ -236,8 +236,8 @@ fn mirrored(sense: f64, [along, across, spin]: [f64; 3], [fx, fs, mz]: [f64; 3])
 }
 
 /// Vertical part of the normal forces (N).
-pub(super) fn vertical(stood: &PressedContacts<'_>) -> f64 {
-    stood.iter().map(|(contact, normal)| normal.load().value * contact.angle.cos()).sum()
+pub(super) fn vertical(pressed: &PressedContacts<'_>) -> f64 {
+    pressed.iter().map(|(contact, normal)| normal.load().value * contact.angle.cos()).sum()
 }
 
 /// Extent of the areas along and across (m), from the reference point.

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::Prescribed;
 use super::normal::{Normal, PressedArea};
-use super::normal_tangential_coupling::Attraction;
+use super::normal_tangential_coupling::NormalInfluence;
 use super::shape::Shape;
 use crate::coulomb::grid::Grid;
 use crate::coulomb::mesh::Mesh;
@@ -90,11 +90,11 @@ impl CoupledGrid {
     pub(super) fn new(contact: &Contact, hertz: &Grid) -> Option<Self> {
         const STRIPS: [usize; 2] = [8, 24];
         let stencils: Vec<_> = hertz.mesh.strips.iter().map(SlipStencil::steady).collect();
-        let attraction = Attraction::new(&hertz.mesh);
+        let normal_influence = NormalInfluence::new(&hertz.mesh);
         let count = hertz.mesh.strips.len().clamp(STRIPS[0], STRIPS[1]);
         Some(Self {
             normal: Normal::new(contact.ellipse(), count)?,
-            slip_by_elements: slip_by(&attraction, &hertz.pressure, &stencils),
+            slip_by_elements: slip_by(&normal_influence, &hertz.pressure, &stencils),
         })
     }
 
@@ -137,12 +137,12 @@ impl CoupledGrid {
     /// Friction and normal contact in turn, with a part of what the tractions do to the pressure.
     fn take_turns(&self, case: CoupledProblem, part: f64, start: CoupledWarmStart) -> CoupledState {
         let factor = -case.side * part * case.coupling.q / PI;
-        let (mut settled, mut attraction) = self.start(case, start);
+        let (mut settled, mut normal_influence) = self.start(case, start);
         let mut mixing = AndersonAcceleration::default();
         loop {
             let outcome = settled.solve_tangential(case);
             let tractions = settled.tractions();
-            let more = |at: [f64; 2]| factor * attraction.by_traction(at, &tractions);
+            let more = |at: [f64; 2]| factor * normal_influence.by_traction(at, &tractions);
             let Some(next) = self.normal.solve(&settled.pressed, more, case.prescribed) else {
                 return settled;
             };
@@ -155,15 +155,19 @@ impl CoupledGrid {
                 return settled;
             }
             settled.pressed.accelerate(&mut mixing, &next);
-            attraction = self.press(case, &mut settled);
+            normal_influence = self.press(case, &mut settled);
         }
     }
 
-    fn start(&self, case: CoupledProblem, start: CoupledWarmStart) -> (CoupledState, Attraction) {
+    fn start(
+        &self,
+        case: CoupledProblem,
+        start: CoupledWarmStart,
+    ) -> (CoupledState, NormalInfluence) {
         let CoupledProblem { hertz, coupling, .. } = case;
         let CoupledWarmStart { pressed, coarser } = start;
         let shape = Shape::new(&self.normal, &pressed);
-        let (grid, attraction) = self.grid(hertz, coupling, &shape, &pressed);
+        let (grid, normal_influence) = self.grid(hertz, coupling, &shape, &pressed);
         let (mut state, equations) = (State::new(&grid), Equations::new(&grid));
         if let Some(coarser) = coarser {
             state.refine(hertz, coarser);
@@ -180,16 +184,16 @@ impl CoupledGrid {
             sweeps: 0,
             factorizations: 0,
         };
-        (settled, attraction)
+        (settled, normal_influence)
     }
 
     /// Lays the elements into the area, and the pressure on them.
-    fn press(&self, case: CoupledProblem, settled: &mut CoupledState) -> Attraction {
+    fn press(&self, case: CoupledProblem, settled: &mut CoupledState) -> NormalInfluence {
         settled.shape = Shape::new(&self.normal, &settled.pressed);
-        let (grid, attraction) =
+        let (grid, normal_influence) =
             self.grid(case.hertz, case.coupling, &settled.shape, &settled.pressed);
         settled.grid = grid;
-        attraction
+        normal_influence
     }
 
     /// The mesh and the pressure of a shape.
@@ -209,33 +213,33 @@ impl CoupledGrid {
         coupling: Coupling,
         shape: &Shape,
         pressed: &PressedArea,
-    ) -> (Grid, Attraction) {
+    ) -> (Grid, NormalInfluence) {
         if pressed.is(&self.normal.frictionless) {
-            return (hertz.clone(), Attraction::new(&hertz.mesh));
+            return (hertz.clone(), NormalInfluence::new(&hertz.mesh));
         }
         let (mesh, pressure) = self.elements(hertz, shape, pressed);
         let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
-        let attraction = Attraction::new(&mesh);
+        let normal_influence = NormalInfluence::new(&mesh);
         // Hertz's own in closed form, and by elements only how much it changes.
-        let changed = slip_by(&attraction, &pressure, &stencils);
+        let changed = slip_by(&normal_influence, &pressure, &stencils);
         let before = hertz.pressure_slip.iter().zip(&self.slip_by_elements);
         let slip = before.zip(&changed).map(|((hertz, by_elements), changed)| {
             [0, 1].map(|k| hertz[k] + coupling.slip * (changed[k] - by_elements[k]))
         });
         let slip = slip.collect();
         let grid = Grid::new(mesh, pressure, coupling.poisson, coupling.slip_unit, &stencils);
-        (Grid { pressure_slip: slip, rounding: hertz.rounding, ..grid }, attraction)
+        (Grid { pressure_slip: slip, rounding: hertz.rounding, ..grid }, normal_influence)
     }
 }
 
 /// Slip of the elements by pressure that is constant on each, over `kappa f00`.
 fn slip_by(
-    attraction: &Attraction,
+    normal_influence: &NormalInfluence,
     pressure: &Pressure,
     stencils: &[SlipStencil],
 ) -> Vec<[f64; 2]> {
     let displacement =
-        |at: [f64; 2]| attraction.by_pressure(at, &pressure.bounds).map(|sum| sum / PI);
+        |at: [f64; 2]| normal_influence.by_pressure(at, &pressure.bounds).map(|sum| sum / PI);
     stencils.iter().flat_map(|stencil| stencil.slip(displacement)).collect()
 }
 

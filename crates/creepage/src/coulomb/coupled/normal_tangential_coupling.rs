@@ -1,7 +1,7 @@
 //! Influence of pressure on slip and of tangential traction on normal displacement, for
 //! elements of unlike bodies.
 //!
-//! With the plane attraction of an element at a point `(x, y)`,
+//! With the plane normal_influence of an element at a point `(x, y)`,
 //!
 //! ```math
 //! S = \iint \frac{(x' - x, \, y' - y)}{R^2} \, dx' dy' = \oint n \ln R \, ds,
@@ -28,11 +28,11 @@ struct Element {
 
 /// Influence of a mesh's elements.
 #[derive(Debug, Clone)]
-pub(super) struct Attraction {
+pub(super) struct NormalInfluence {
     elements: Vec<Element>,
 }
 
-impl Attraction {
+impl NormalInfluence {
     pub(super) fn new(mesh: &Mesh) -> Self {
         let elements = mesh.all().map(|(strip, i)| Element::new(mesh.strips[strip].corners(i)));
         Self { elements: elements.collect() }
@@ -42,7 +42,7 @@ impl Attraction {
     pub(super) fn by_pressure(&self, at: [f64; 2], pressures: &[f64]) -> [f64; 2] {
         let mut sum = [0.0; 2];
         for (element, z) in self.elements.iter().zip(pressures) {
-            let [x, y] = element.attraction(at);
+            let [x, y] = element.normal_influence(at);
             sum[0] += z * x;
             sum[1] += z * y;
         }
@@ -52,7 +52,7 @@ impl Attraction {
     /// `sum (X, Y) . S` at a point.
     pub(super) fn by_traction(&self, at: [f64; 2], tractions: &[[f64; 2]]) -> f64 {
         let terms = self.elements.iter().zip(tractions).map(|(element, traction)| {
-            let [x, y] = element.attraction(at);
+            let [x, y] = element.normal_influence(at);
             x * traction[0] + y * traction[1]
         });
         terms.sum()
@@ -73,7 +73,7 @@ impl Element {
         Self { corners, middle: map(corners, 0.0, 0.0).0, far, points }
     }
 
-    fn attraction(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    fn normal_influence(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [p, q] = self.middle;
         if (p - x).powi(2) + (q - y).powi(2) > self.far {
             return self.by_points([x, y]);
@@ -145,10 +145,10 @@ mod tests {
     fn a_uniform_disc_attracts_by_the_theorem_of_gauss() {
         let circle = Ellipse::from_ratio(1.0).unwrap();
         let mesh = Mesh::with_sides(circle, 24, 24, StripGrading::NARROW);
-        let (attraction, ones) = (Attraction::new(&mesh), vec![1.0; mesh.len()]);
+        let (normal_influence, ones) = (NormalInfluence::new(&mesh), vec![1.0; mesh.len()]);
         for at in [[0.0, 0.0], [0.3, -0.4], [0.0, 0.8], [1.5, 0.5], [-3.0, 2.0]] {
             let square = at[0] * at[0] + at[1] * at[1];
-            let found = attraction.by_pressure(at, &ones);
+            let found = normal_influence.by_pressure(at, &ones);
             for k in 0..2 {
                 let expected = -PI * at[k] / square.max(1.0);
                 assert!((found[k] - expected).abs() < 0.01, "{at:?}: {found:?}");
@@ -172,7 +172,7 @@ mod tests {
                 sum[0] += over * dx;
                 sum[1] += over * dy;
             }
-            let found = element.attraction(at);
+            let found = element.normal_influence(at);
             for k in 0..2 {
                 // A cell's width next to the singular point, Gauss's error far away.
                 assert!((found[k] - sum[k]).abs() < 4e-3, "{at:?}: {found:?} {sum:?}");

@@ -1,4 +1,4 @@
-//! The peak pressure of the coupled solution: a summit at the stick boundary that polynomials cut off.
+//! The peak pressure of the coupled solution: a pressure_peak at the stick boundary that polynomials cut off.
 //!
 //! Along a strip let `x = cos t`. Behind the border at `t_0` the traction is that of sliding, ahead of
 //! it less by `C sqrt(t_0 - t)`. In waves short against the strip the normal problem is plane: the
@@ -31,25 +31,25 @@ struct Border {
 
 /// The largest pressure over Hertz's, and what the polynomials lack at the highest border.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Summit {
+pub(super) struct PressurePeak {
     pub peak: f64,
     pub lacking: f64,
 }
 
-/// The summit of a grid; `q` with the sign of the pressure's part in the slip.
-pub(super) fn summit(settled: &CoupledState, q: f64) -> Summit {
+/// The pressure_peak of a grid; `q` with the sign of the pressure's part in the slip.
+pub(super) fn pressure_peak(settled: &CoupledState, q: f64) -> PressurePeak {
     let strips = settled.grid.mesh.strips.iter().enumerate();
     let lines = strips.flat_map(|(index, strip)| {
         let t = settled.shape.across(strip.y());
         let borders = (0..strip.len()).filter_map(move |i| border(settled, index, i));
-        borders.map(move |border| Summit {
+        borders.map(move |border| PressurePeak {
             peak: near(settled, border, t, q),
             lacking: (q * border.root * left(0.0)).abs(),
         })
     });
-    let none = Summit { peak: 0.0, lacking: 0.0 };
+    let none = PressurePeak { peak: 0.0, lacking: 0.0 };
     let highest = lines.fold(none, |high, line| if line.peak > high.peak { line } else { high });
-    Summit { peak: highest.peak.max(settled.shape.peak()), ..highest }
+    PressurePeak { peak: highest.peak.max(settled.shape.peak()), ..highest }
 }
 
 /// The largest pressure of a line near a border.
@@ -82,14 +82,16 @@ fn left(beside: f64) -> f64 {
 fn border(settled: &CoupledState, index: usize, sliding: usize) -> Option<Border> {
     let CoupledState { grid, state, .. } = settled;
     let (first, strip) = (grid.mesh.elements(index).start, &grid.mesh.strips[index]);
-    let visible = |i: usize| state.visible(grid, first + i);
+    let traction_and_slip = |i: usize| state.traction_and_slip(grid, first + i);
     let far = sliding.checked_sub(AHEAD + 1)?;
-    if visible(sliding).1.is_none() || (far..sliding).any(|i| visible(i).1.is_some()) {
+    if traction_and_slip(sliding).1.is_none()
+        || (far..sliding).any(|i| traction_and_slip(i).1.is_some())
+    {
         return None;
     }
     // By how much less the traction is than that of sliding.
-    let direction = visible(sliding).0[0];
-    let less = |i: usize| grid.pressure.bounds[first + i] * (direction - visible(i).0[0]);
+    let direction = traction_and_slip(sliding).0[0];
+    let less = |i: usize| grid.pressure.bounds[first + i] * (direction - traction_and_slip(i).0[0]);
     let angle = |i: usize| strip.along.middles[i].acos();
     let near = sliding - AHEAD;
     let [from, to] = [less(far), less(near)];

@@ -38,7 +38,7 @@ use std::f64::consts::PI;
 
 use super::Prescribed;
 use super::normal::{Normal, PressedArea};
-use super::normal_tangential_coupling::Attraction;
+use super::normal_tangential_coupling::NormalInfluence;
 use super::shape::Shape;
 use crate::check::{self, InvalidValue};
 use crate::coulomb::extrapolation::extrapolate;
@@ -232,10 +232,10 @@ impl<'a> Sliding<'a> {
         let (mut change, mut mixing) = (f64::INFINITY, AndersonAcceleration::default());
         for _ in 0..TURNS {
             let shape = Shape::new(&self.normal, &pressed);
-            let attraction = Attraction::new(&shape.mesh(self.hertz));
+            let normal_influence = NormalInfluence::new(&shape.mesh(self.hertz));
             let bounds = shape.pressed(&self.pressure, 1.0).bounds;
             let tractions: Vec<_> = bounds.iter().map(|bound| q.map(|q| -q * bound / PI)).collect();
-            let more = |at: [f64; 2]| attraction.by_traction(at, &tractions);
+            let more = |at: [f64; 2]| normal_influence.by_traction(at, &tractions);
             let Some(next) = self.normal.solve(&pressed, more, Prescribed::Load) else { break };
             change = pressed.apart(&next);
             if change <= tolerance {

@@ -1,7 +1,7 @@
 //! The solution of one coupled contact, kept for fields, derivatives and further solves.
 
 use super::level::{CoupledProblem, CoupledState, CoupledWarmStart};
-use super::peak_pressure::{Summit, summit};
+use super::peak_pressure::{PressurePeak, pressure_peak};
 use super::{Coupled, Prepared};
 use crate::coulomb::dissipation::{self, Unresolved};
 use crate::coulomb::extrapolation::{Extrapolation, extrapolate};
@@ -142,7 +142,9 @@ impl<'a> CoupledSolved<'a> {
     /// Largest pressure over that of the frictionless contact.
     #[must_use]
     pub fn peak(&self) -> f64 {
-        let rise = self.summit().map_or(0.0, |(summit, polynomials)| summit.peak - polynomials);
+        let rise = self
+            .pressure_peak()
+            .map_or(0.0, |(pressure_peak, polynomials)| pressure_peak.peak - polynomials);
         self.value(|level| level.shape.peak()) + rise
     }
 
@@ -152,18 +154,19 @@ impl<'a> CoupledSolved<'a> {
     pub fn peak_error(&self) -> f64 {
         /// Lower bound of the relative error, where both grids agree by chance.
         const MIN_PEAK_ERROR: f64 = 5e-4;
-        let (Some([coarse, _]), Some((summit, polynomials))) = (&self.settled, self.summit())
+        let (Some([coarse, _]), Some((pressure_peak, polynomials))) =
+            (&self.settled, self.pressure_peak())
         else {
             return 1.0;
         };
         let apart = (polynomials - coarse.shape.peak()).abs();
-        MIN_PEAK_ERROR + 0.5 * (summit.lacking + apart)
+        MIN_PEAK_ERROR + 0.5 * (pressure_peak.lacking + apart)
     }
 
-    /// The finer grid's summit at the border of adhesion, and its peak by the strips' polynomials alone.
-    fn summit(&self) -> Option<(Summit, f64)> {
+    /// The finer grid's pressure_peak at the border of adhesion, and its peak by the strips' polynomials alone.
+    fn pressure_peak(&self) -> Option<(PressurePeak, f64)> {
         let q = self.mirror.x * self.theory.coupling.q;
-        self.settled.as_ref().map(|[_, fine]| (summit(fine, q), fine.shape.peak()))
+        self.settled.as_ref().map(|[_, fine]| (pressure_peak(fine, q), fine.shape.peak()))
     }
 
     /// The ends of the area along `x` at half its width, and its tips in `y`, in units of `c`.

@@ -117,7 +117,7 @@ impl State {
         let (mut limits, mut mixing) = (self.limits.clone(), AndersonAcceleration::default());
         for round in 0..MAX_BOUND_ROUNDS {
             let slip = |element: usize| {
-                let [x, y] = self.visible(grid, element).1.unwrap_or_default();
+                let [x, y] = self.traction_and_slip(grid, element).1.unwrap_or_default();
                 x.hypot(y)
             };
             resistance.limits(&grid.mesh, &grid.pressure.bounds, slip, &mut limits);
@@ -294,7 +294,11 @@ impl State {
 
     /// Traction and slip of an element by Coulomb's law without its corner rounded: those with the
     /// same sum. `None` for the slip in adhesion.
-    pub(crate) fn visible(&self, grid: &Grid, element: usize) -> ([f64; 2], Option<[f64; 2]>) {
+    pub(crate) fn traction_and_slip(
+        &self,
+        grid: &Grid,
+        element: usize,
+    ) -> ([f64; 2], Option<[f64; 2]>) {
         let trial = self.trial(grid, element);
         let Some(Sliding { traction, .. }) =
             project_within(self.limits[element], 0.0, trial, Regularization::Sharp)
