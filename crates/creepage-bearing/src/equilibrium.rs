@@ -79,7 +79,7 @@ impl BallBearing {
     }
 
     /// A ball between its grooves.
-    pub(crate) fn stand(
+    pub(crate) fn ball_equilibrium(
         &self,
         displacement: Displacement,
         azimuth: f64,
@@ -90,7 +90,7 @@ impl BallBearing {
         if let Some(alone) = self.on_outer_race(grooves, free, acting)? {
             return Ok(alone);
         }
-        let standing = |centre: [f64; 2]| {
+        let ball = |centre: [f64; 2]| {
             let to_inner = [grooves[0] - centre[0], grooves[1] - centre[1]];
             let lengths = [to_inner[0].hypot(to_inner[1]), centre[0].hypot(centre[1])];
             let angles = [to_inner[0].atan2(to_inner[1]), centre[0].atan2(centre[1])];
@@ -102,7 +102,7 @@ impl BallBearing {
             })
         };
         let start = SVector::from(self.least_energy(grooves, free, acting)?);
-        let pressed = standing([start[0], start[1]])?;
+        let pressed = ball([start[0], start[1]])?;
         let unit = pressed.loads[INNER].max(pressed.loads[OUTER]).max(acting.centrifugal).max(1e-9);
         let [inner, outer] = acting.across;
         // Small beside the depth to which a load of this size presses.
@@ -110,7 +110,7 @@ impl BallBearing {
             * (unit * unit).cbrt();
         let steps = SVector::from([1e-5 * depth; 2]);
         let (found, left) = newton(start, steps, TOLERANCE, |centre| {
-            let BallEquilibrium { angles, loads, .. } = standing([centre[0], centre[1]])?;
+            let BallEquilibrium { angles, loads, .. } = ball([centre[0], centre[1]])?;
             let [(si, ci), (so, co)] = angles.map(f64::sin_cos);
             let [qi, qo] = loads;
             Ok::<_, BearingError>(SVector::from([
@@ -121,7 +121,7 @@ impl BallBearing {
         if left > ACCEPTED {
             return Err(BearingError::LoadNotFound);
         }
-        standing([found[0], found[1]])
+        ball([found[0], found[1]])
     }
 
     /// Where a ball's potential energy is least: that of two contacts of constant stiffness, less the work of the
@@ -214,7 +214,8 @@ impl BallBearing {
     ) -> Result<(Displacement, Vec<BallEquilibrium>), BearingError> {
         let balls = |displacement: Displacement| -> Result<Vec<BallEquilibrium>, BearingError> {
             let each = acting.iter().enumerate();
-            each.map(|(k, acting)| self.stand(displacement, self.azimuth(k), acting)).collect()
+            each.map(|(k, acting)| self.ball_equilibrium(displacement, self.azimuth(k), acting))
+                .collect()
         };
         let start = match before {
             Some(displacement) => displacement,
@@ -251,11 +252,11 @@ impl BallBearing {
             _ => {
                 let (found, left) =
                     newton(SVector::from([start[0]]), SVector::from([step]), TOLERANCE, |at| {
-                        let standing = self.stand([at[0], 0.0], 0.0, &acting[0])?;
+                        let ball = self.ball_equilibrium([at[0], 0.0], 0.0, &acting[0])?;
                         let missed = match load {
-                            BearingLoad::Ball(load) => standing.loads[INNER] / load - 1.0,
+                            BearingLoad::Ball(load) => ball.loads[INNER] / load - 1.0,
                             BearingLoad::Rings { axial, .. } => {
-                                let one = self.carried(&[standing], &acting[..1])[0];
+                                let one = self.carried(&[ball], &acting[..1])[0];
                                 one * self.balls as f64 / axial - 1.0
                             }
                         };
@@ -311,8 +312,8 @@ fn found_to(left: f64) -> Result<(), BearingError> {
     if left <= ACCEPTED { Ok(()) } else { Err(BearingError::LoadNotFound) }
 }
 
-fn angles_of(standing: &BallEquilibrium) -> f64 {
-    standing.angles[OUTER]
+fn angles_of(ball: &BallEquilibrium) -> f64 {
+    ball.angles[OUTER]
 }
 
 /// The size of a load (N).

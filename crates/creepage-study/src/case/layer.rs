@@ -7,7 +7,7 @@ use serde::Deserialize;
 use super::error::CaseError;
 
 const SECTION: &str = "layer";
-/// No layer that bodies roll on is as soft (Pa): a smaller number is in MPa.
+/// No layer that bodies roll on is as soft (Pa): a smaller number is in another unit.
 const SOFTEST: f64 = 1e3;
 
 /// A thin layer between the bodies, such as oxide, sand or clay: it shears, and may yield.

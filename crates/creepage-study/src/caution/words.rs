@@ -19,7 +19,8 @@ impl fmt::Display for Caution {
             | Self::UncertainPeak { .. }
             | Self::RollerEnd { .. }
             | Self::Turns { .. }
-            | Self::CutPatch
+            | Self::Groove { .. } => self.write_of_bodies(f),
+            Self::CutPatch
             | Self::BeyondSlices
             | Self::Climbs { .. }
             | Self::GuardApart { .. }
@@ -27,25 +28,8 @@ impl fmt::Display for Caution {
             | Self::LargeYaw { .. }
             | Self::LoadMissed { .. }
             | Self::Deep { .. }
-            | Self::Groove { .. }
-            | Self::Slides { .. } => self.write_of_bodies(f),
-            Self::Status(Status::NotConverged) => {
-                f.write_str("did not converge: the force is that of the last iterate")
-            }
-            Self::Status(Status::CreepageTooSmall) => {
-                f.write_str("the creepage is too small for the theory's resolution")
-            }
-            Self::Status(Status::SpinTooLarge) => {
-                f.write_str("the spin is beyond the bound up to which the theory holds")
-            }
-            Self::Status(Status::SeveralSolutions) => f.write_str(
-                "friction falls so steeply that another solution, with more slip, exists; this one \
-                 is reached from friction at rest",
-            ),
-            Self::Status(Status::NoContact) => {
-                f.write_str("no load presses the bodies together: no contact, and no force")
-            }
-            Self::Status(other) => f.write_str(other.name()),
+            | Self::Slides { .. } => self.write_of_wheelset(f),
+            Self::Status(status) => f.write_str(status_words(status)),
             Self::Dissimilar { theory, kappa_over_mu, share } => write!(
                 f,
                 "{theory} takes the bodies for like ones (kappa/mu = {kappa_over_mu:.3}): for \
@@ -115,8 +99,23 @@ impl fmt::Display for Caution {
     }
 }
 
+/// What a status says.
+fn status_words(status: Status) -> &'static str {
+    match status {
+        Status::NotConverged => "did not converge: the force is that of the last iterate",
+        Status::CreepageTooSmall => "the creepage is too small for the theory's resolution",
+        Status::SpinTooLarge => "the spin is beyond the bound up to which the theory holds",
+        Status::SeveralSolutions => {
+            "friction falls so steeply that another solution, with more slip, exists; this one \
+             is reached from friction at rest"
+        }
+        Status::NoContact => "no load presses the bodies together: no contact, and no force",
+        other => other.name(),
+    }
+}
+
 impl Caution {
-    /// Those of what the bodies bear and how they stand in words.
+    /// Those of what the bodies bear in words.
     fn write_of_bodies(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::Yields { peak_pressure, shear_yield, is_given } => {
@@ -133,7 +132,9 @@ impl Caution {
                 if is_given {
                     return Ok(());
                 }
-                f.write_str("; a harder steel bears more: a case with [damage] takes its shear_yield")
+                f.write_str(
+                    "; a harder steel bears more: a case with [damage] takes its shear_yield",
+                )
             }
             Self::UncertainPeak { peak_pressure, error } => write!(
                 f,
@@ -159,6 +160,21 @@ impl Caution {
                  14 degrees on the undeformed distance errs by 3 % and more",
                 significant(angle.to_degrees(), 3)
             ),
+            Self::Groove { slip, share } => write!(
+                f,
+                "the bodies conform: by the curvature of the groove the slip at the sides differs by {} of \
+                 the rolling velocity from that in the middle, {} times the unit mu c / rho (Heathcote); it is \
+                 left out, and heat, force and moment lack it",
+                significant(slip, 3),
+                significant(share, 2)
+            ),
+            _ => Ok(()),
+        }
+    }
+
+    /// Those of a wheelset on its rails in words.
+    fn write_of_wheelset(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
             Self::CutPatch => f.write_str(
                 "a part of the rail or wheel begins or ends within the contact: the area is cut there, and how high \
                  the pressure is at that edge depends on the resolution",
@@ -206,14 +222,6 @@ impl Caution {
                  wheel and a rail",
                 significant(1e3 * approach, 3),
                 quantity(load, "N", 3)
-            ),
-            Self::Groove { slip, share } => write!(
-                f,
-                "the bodies conform: by the curvature of the groove the slip at the sides differs by {} of \
-                 the rolling velocity from that in the middle, {} times the unit mu c / rho (Heathcote); it is \
-                 left out, and heat, force and moment lack it",
-                significant(slip, 3),
-                significant(share, 2)
             ),
             Self::Slides { component, value } => write!(
                 f,

@@ -5,13 +5,16 @@ mod of_case;
 mod of_contact;
 mod part;
 mod quantity;
+mod unit;
 
 #[cfg(test)]
 mod tests;
 
 pub use of_contact::{hertz_report, pressed_report};
-pub use quantity::{PerUnit, Quantity, Report, Unit};
+pub use quantity::{Quantity, Report};
+pub use unit::{PerUnit, Unit};
 
 pub(crate) use of_contact::{method, words};
 pub(crate) use part::ReportPart;
-pub(crate) use quantity::{Section, Shown, Written};
+pub(crate) use quantity::{Section, Shown};
+pub(crate) use unit::Written;

@@ -5,12 +5,10 @@ use creepage::coulomb::Constraints;
 
 use super::of_contact::words;
 use super::part::{DetailJson, ReportPart};
-use super::quantity::{
-    Report, Shown,
-    Unit::{
-        self, JoulePerMetre, MetrePerSecond, Newton, NewtonMetre, One, RadianPerMetre, Share,
-        SquareMetre, Watt,
-    },
+use super::quantity::{Report, Shown};
+use super::unit::Unit::{
+    self, JoulePerMetre, MetrePerSecond, Newton, NewtonMetre, One, RadianPerMetre, Share,
+    SquareMetre, Watt,
 };
 use crate::SolvedCase;
 use crate::gap::OnAreas;

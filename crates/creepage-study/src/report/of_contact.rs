@@ -4,12 +4,10 @@ use creepage::normal::{Estimate, Method, NormalContact, Status};
 use creepage::{Hertz, SolidPair};
 
 use super::part::ReportPart;
-use super::quantity::{
-    Report, Shown,
-    Unit::{
-        Metre, MetrePerNewtonTwoThirds, Newton, NewtonPerMetre, One, Pascal, PerMetre, Radian,
-        SquareMetre,
-    },
+use super::quantity::{Report, Shown};
+use super::unit::Unit::{
+    Metre, MetrePerNewtonTwoThirds, Newton, NewtonPerMetre, One, Pascal, PerMetre, Radian,
+    SquareMetre,
 };
 use crate::Caution;
 

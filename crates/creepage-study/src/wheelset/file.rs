@@ -1,14 +1,13 @@
 //! File of a wheelset, and the case that it describes.
 
-use creepage_wheelset::{RailFriction, RailSprings};
 use std::path::Path;
-use std::sync::Arc;
 
 use creepage::{SolidPair, TheorySpec};
 use creepage_rail::{
-    Corrugation, Deviation, Place, Profile, Rail, RailMotion, RailVariation, Role, Roller, Side,
-    SliceSurface, Track, Waviness, Wheel, WheelVariation, Wheelset, WheelsetOnTrack,
+    Corrugation, Place, Rail, RailVariation, Role, Roller, Side, Track, Waviness, Wheel,
+    WheelVariation, Wheelset, WheelsetOnTrack,
 };
+use creepage_wheelset::RailFriction;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
@@ -17,12 +16,12 @@ use toml::Table;
 use super::case::{ProfileNote, WheelsetCase};
 use super::error::{WheelsetFileError, checked, needed, section};
 use super::friction::RailFrictionValue;
-use super::profile::{RequestedProfile, of_points};
+use super::profile::{noted, surface_of};
+use super::rails::WIDEST;
 use super::sections::{
-    FrictionSection, MaterialSection, MotionSection, RailSection, ReadingSection, SideName,
-    StepsStartSection, TrackSection, WheelSection, WheelsetSection,
+    FrictionSection, MaterialSection, MotionSection, RailSection, SideName, StepsStartSection,
+    TrackSection, WheelSection, WheelsetSection,
 };
-use super::varying::{self, SlicesAsked};
 use super::worn::{WearError, WearPlan, WearSection};
 use crate::case::schema::schema_of;
 use crate::case::{CaseError, keys, solve};
@@ -424,157 +423,3 @@ impl WheelsetFile {
 }
 
 const SIDES: [Side; 2] = [Side::Left, Side::Right];
-
-impl RailSection {
-    /// How it stands beside where it was laid, if it does.
-    fn deviation(&self) -> Option<Deviation> {
-        let Self { dy, dz, droll, .. } = *self;
-        let or = |value: Option<f64>| value.unwrap_or(0.0);
-        (dy.or(dz).or(droll)).map(|_| Deviation { y: or(dy), z: or(dz), roll: or(droll) })
-    }
-
-    /// The springs on which it lies, if it does.
-    fn springs(&self, section: &'static str) -> Result<Option<RailSprings>, CaseError> {
-        let positive = |key, value: Option<f64>| {
-            let value = needed(section, key, value)?;
-            checked(section, key, value, value > 0.0 && value.is_finite(), "positive and finite")
-        };
-        let finite = |key, value: Option<f64>| {
-            let value = value.unwrap_or(0.0);
-            checked(section, key, value, value.is_finite(), "finite")
-        };
-        let Self { stiffness_y, stiffness_z, force_y, force_z, .. } = *self;
-        if stiffness_y.or(stiffness_z).or(force_y).or(force_z).is_none() {
-            return Ok(None);
-        }
-        let stiffness =
-            [positive("stiffness_y", stiffness_y)?, positive("stiffness_z", stiffness_z)?];
-        let force = [finite("force_y", force_y)?, finite("force_z", force_z)?];
-        Ok(Some(RailSprings { stiffness, force }))
-    }
-
-    fn motion(&self) -> RailMotion {
-        let or = |value: Option<f64>| value.unwrap_or(0.0);
-        RailMotion {
-            lateral_velocity: or(self.dy_rate),
-            vertical_velocity: or(self.dz_rate),
-            roll_rate: or(self.droll_rate),
-        }
-    }
-}
-
-impl TrackSection {
-    /// Its curvature (1/m), positive where it bends to the right.
-    fn curvature(&self) -> Result<f64, CaseError> {
-        match (self.curve_radius, self.curvature) {
-            (Some(_), Some(_)) => {
-                let [first, second] = ["curve_radius", "curvature"].map(|key| ("track", key));
-                Err(CaseError::Conflict { first, second })
-            }
-            (Some(radius), None) => {
-                let is_valid = radius.abs() >= 1.0;
-                let valid = "1 m at least to either side, and positive in a right-hand curve";
-                Ok(1.0 / checked("track", "curve_radius", radius, is_valid, valid)?)
-            }
-            (None, curvature) => {
-                let curvature = curvature.unwrap_or(0.0);
-                let is_valid = curvature.abs() <= 1.0;
-                checked("track", "curvature", curvature, is_valid, "-1 to 1 a metre")
-            }
-        }
-    }
-
-    fn place(&self) -> Result<Place, CaseError> {
-        const TRACK: &str = "track";
-        // Beyond any track: millimetres.
-        let positive = |key, value: f64| {
-            checked(TRACK, key, value, value > 0.0 && value <= WIDEST, "positive, at most 10 m")
-        };
-        let gauge = self.gauge.map(|_| "gauge").or(self.gauge_height.map(|_| "gauge_height"));
-        if self.rail_height.is_some() && self.rail_position.is_none() {
-            return Err(CaseError::Missing { section: TRACK.into(), key: "rail_position".into() });
-        }
-        match (self.rail_position, gauge) {
-            (Some(y), None) => {
-                let is_valid = (0.0..=WIDEST).contains(&y);
-                let valid = "zero, or positive, at most 10 m";
-                let y = checked(TRACK, "rail_position", y, is_valid, valid)?;
-                Ok(self.rail_height.map_or(Place::Origin(y), |z| Place::At([y, z])))
-            }
-            (Some(_), Some(key)) => {
-                let first = (TRACK, "rail_position");
-                Err(CaseError::Conflict { first, second: (TRACK, key) })
-            }
-            (None, None) => {
-                let keys = ["gauge (with gauge_height)", "rail_position"];
-                Err(CaseError::MissingEither { section: TRACK, keys })
-            }
-            (None, Some(_)) => Ok(Place::Gauge {
-                gauge: positive("gauge", needed(TRACK, "gauge", self.gauge)?)?,
-                height: positive(
-                    "gauge_height",
-                    needed(TRACK, "gauge_height", self.gauge_height)?,
-                )?,
-            }),
-        }
-    }
-}
-
-/// Width of a track (m) that none has.
-const WIDEST: f64 = 10.0;
-
-/// Name or points of a profile, and the file of slices.
-type SurfaceNames<'a> = (Option<&'a str>, Option<&'a [[f64; 2]]>, Option<&'a str>);
-
-/// One profile, or a surface through slices with the profile of the one nearest to 0.
-fn surface_of(
-    (name, points, slices): SurfaceNames<'_>,
-    asked: SlicesAsked,
-    directory: &Path,
-    notes: &mut Vec<ProfileNote>,
-) -> Result<(Profile, Option<Arc<SliceSurface>>), WheelsetFileError> {
-    let Some(slices) = slices else {
-        return Ok((noted(loaded((name, points), asked, directory)?, notes), None));
-    };
-    let (section, ..) = asked;
-    if let Some(other) = name.map(|_| "profile").or(points.map(|_| "points")) {
-        let [first, second] = ["slices", other].map(|key| (section, key));
-        return Err(CaseError::Conflict { first, second }.into());
-    }
-    let (surface, found) = varying::surface(slices, asked, directory)?;
-    for note in found {
-        noted(((), Some(note)), notes);
-    }
-    Ok((surface.profile().clone(), Some(surface)))
-}
-
-/// A profile by its name or its points, with a note where it comes from a file.
-pub(super) fn loaded(
-    given: (Option<&str>, Option<&[[f64; 2]]>),
-    (section, role, side, reading): (&'static str, Role, Side, Option<ReadingSection>),
-    directory: &Path,
-) -> Result<(Profile, Option<ProfileNote>), WheelsetFileError> {
-    reading.map_or(Ok(()), |reading| reading.check(section))?;
-    match given {
-        (Some(_), Some(_)) => {
-            let [first, second] = ["profile", "points"].map(|key| (section, key));
-            Err(CaseError::Conflict { first, second }.into())
-        }
-        (None, Some(points)) => {
-            let smoothing =
-                reading.map(|reading| reading.smoothing_of_points(section)).transpose()?;
-            let smoothing = smoothing.flatten();
-            Ok((of_points((section, role), points, smoothing)?, None))
-        }
-        (name, None) => {
-            let name = needed(section, "profile", name)?;
-            RequestedProfile { section, name, role, side, reading }.load(directory)
-        }
-    }
-}
-
-/// Keeps the note of a profile, once.
-fn noted<T>((profile, note): (T, Option<ProfileNote>), notes: &mut Vec<ProfileNote>) -> T {
-    notes.extend(note.filter(|note| !notes.contains(note)));
-    profile
-}

@@ -8,8 +8,8 @@ use serde::Deserialize;
 
 use super::case::ProfileNote;
 use super::error::{WheelsetFileError, needed};
-use super::file::loaded;
 use super::friction::RailFrictionValue;
+use super::profile::loaded;
 use super::sections::ReadingSection;
 use crate::case::CaseError;
 

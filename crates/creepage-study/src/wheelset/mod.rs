@@ -16,6 +16,7 @@ mod packed;
 mod position;
 mod profile;
 mod quantities;
+mod rails;
 mod report;
 mod sections;
 mod solved_picture;

@@ -2,14 +2,16 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 use creepage::InvalidValue;
 use creepage_rail::file::{FileError, ReadOptions, Reading, SaidBy, read};
-use creepage_rail::{Profile, ProfileError, Role, Side, Smoothing, Standard};
+use creepage_rail::{Profile, ProfileError, Role, Side, SliceSurface, Smoothing, Standard};
 
 use super::case::ProfileNote;
-use super::error::WheelsetFileError;
+use super::error::{WheelsetFileError, needed};
 use super::sections::ReadingSection;
+use super::varying::{self, SlicesAsked};
 use crate::case::CaseError;
 
 /// A profile by its points (m), along it in either sense.
@@ -100,4 +102,63 @@ impl RequestedProfile<'_> {
             source,
         }
     }
+}
+
+/// Name or points of a profile, and the file of slices.
+pub(super) type SurfaceNames<'a> = (Option<&'a str>, Option<&'a [[f64; 2]]>, Option<&'a str>);
+
+/// One profile, or a surface through slices with the profile of the one nearest to 0.
+pub(super) fn surface_of(
+    (name, points, slices): SurfaceNames<'_>,
+    asked: SlicesAsked,
+    directory: &Path,
+    notes: &mut Vec<ProfileNote>,
+) -> Result<(Profile, Option<Arc<SliceSurface>>), WheelsetFileError> {
+    let Some(slices) = slices else {
+        return Ok((noted(loaded((name, points), asked, directory)?, notes), None));
+    };
+    let (section, ..) = asked;
+    if let Some(other) = name.map(|_| "profile").or(points.map(|_| "points")) {
+        let [first, second] = ["slices", other].map(|key| (section, key));
+        return Err(CaseError::Conflict { first, second }.into());
+    }
+    let (surface, found) = varying::surface(slices, asked, directory)?;
+    for note in found {
+        noted(((), Some(note)), notes);
+    }
+    Ok((surface.profile().clone(), Some(surface)))
+}
+
+/// A profile by its name or its points, with a note where it comes from a file.
+pub(super) fn loaded(
+    given: (Option<&str>, Option<&[[f64; 2]]>),
+    (section, role, side, reading): (&'static str, Role, Side, Option<ReadingSection>),
+    directory: &Path,
+) -> Result<(Profile, Option<ProfileNote>), WheelsetFileError> {
+    reading.map_or(Ok(()), |reading| reading.check(section))?;
+    match given {
+        (Some(_), Some(_)) => {
+            let [first, second] = ["profile", "points"].map(|key| (section, key));
+            Err(CaseError::Conflict { first, second }.into())
+        }
+        (None, Some(points)) => {
+            let smoothing =
+                reading.map(|reading| reading.smoothing_of_points(section)).transpose()?;
+            let smoothing = smoothing.flatten();
+            Ok((of_points((section, role), points, smoothing)?, None))
+        }
+        (name, None) => {
+            let name = needed(section, "profile", name)?;
+            RequestedProfile { section, name, role, side, reading }.load(directory)
+        }
+    }
+}
+
+/// Keeps the note of a profile, once.
+pub(super) fn noted<T>(
+    (profile, note): (T, Option<ProfileNote>),
+    notes: &mut Vec<ProfileNote>,
+) -> T {
+    notes.extend(note.filter(|note| !notes.contains(note)));
+    profile
 }

@@ -10,8 +10,9 @@ use rayon::prelude::*;
 
 use super::WheelsetSolver;
 use super::normal_contact::{NormalSolver, PatchWarmStart, PressedWheel};
+use super::pitch_rate::{self, turning};
 use super::start::{Place, Start, levers, ratios};
-use super::tangential::{self, Method, Rolling};
+use super::tangential::{Method, Rolling};
 use super::vertical_load::{LoadLine, Target};
 use crate::solved::SolvedWheelset;
 use crate::warm_start::LateralForceRatios;
@@ -182,10 +183,10 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
         let by = (stage.method, &self.start.friction[..]);
         let rollings = Rolling::all(&wheels, self.solver, self.travel.speed, by)?;
         let is_last = self.stages.len() == 1;
-        let moment_tolerance = if is_last { tangential::BALANCED } else { ROUGHLY_BALANCED };
+        let moment_tolerance = if is_last { pitch_rate::BALANCED } else { ROUGHLY_BALANCED };
         let radius = self.solver.press.running.wheelset().radius();
         let guess = (self.start.pitch, moment_tolerance);
-        let turning = match tangential::turning(&rollings, self.travel, radius, guess) {
+        let turning = match turning(&rollings, self.travel, radius, guess) {
             Ok(turning) => turning,
             Err(error) => return self.refuse(error).map(|()| None),
         };

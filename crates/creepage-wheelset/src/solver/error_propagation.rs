@@ -9,8 +9,9 @@
 use creepage::{Force, SiForce};
 use creepage_rail::{Position, Side};
 
+use super::pitch_rate::BALANCED;
 use super::predictor::share;
-use super::tangential::{BALANCED, axle};
+use super::tangential::axle;
 use super::vertical_load::Target;
 use crate::Load;
 use crate::pose::{Drive, PitchRate, WheelsetPose, WheelsetVelocity};

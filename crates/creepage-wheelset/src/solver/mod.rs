@@ -9,6 +9,7 @@ mod excess;
 mod implicit_derivative;
 mod motion_derivative;
 mod normal_contact;
+mod pitch_rate;
 mod pose_derivative;
 mod predictor;
 mod solution;

@@ -287,7 +287,7 @@ impl<'a> WheelsetSolver<'a> {
     ///
     /// # Errors
     /// [`WheelsetError`] where wheel and rail do not meet as they should, or a contact has no pressure.
-    pub fn stand(
+    pub fn press_at(
         &self,
         (side, position): (Side, Position),
         resolution: Resolution,

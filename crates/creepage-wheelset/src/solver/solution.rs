@@ -7,7 +7,8 @@ use creepage_rail::{Contact, Motion, Side, WheelsetOnTrack};
 
 use super::WheelsetSolver;
 use super::normal_contact::{PressedContact, PressedWheel};
-use super::tangential::{Answer, Rolled, Rolling, Turning};
+use super::pitch_rate::Turning;
+use super::tangential::{Answer, Rolled, Rolling};
 use super::vertical_load::LoadLine;
 use crate::WheelsetVelocity;
 use crate::field::{Field, March};

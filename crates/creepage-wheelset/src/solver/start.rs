@@ -107,7 +107,7 @@ impl WheelsetSolver<'_> {
         modulus.cbrt().powi(2) * radius.cbrt() / FACTOR
     }
 
-    /// Wheels that nearly carry what is asked for: so deep below first touch as Hertz has it, or as they previous_depths
+    /// Wheels that nearly carry what is asked for: so deep below first touch as Hertz has it, or as they stood
     /// before; `part` of that.
     pub(super) fn first_places(
         &self,

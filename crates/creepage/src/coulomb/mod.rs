@@ -48,14 +48,14 @@ pub(crate) mod subdivision;
 mod workspace;
 
 pub use crate::theory::{Constraints, InverseError};
-pub use automatic::Automatic;
+pub use automatic::{Automatic, NonHertzianAutomatic};
 pub use coupled::{Coupled, CoupledSolved, GrossSliding, Prescribed, SlidingError};
 pub use cylinders::{Cylinders, CylindersSolved};
 pub use extrapolation::hidden_by_border;
 pub use field_interpolation::{ElementField, adhesion_share};
 pub(crate) use forcing::hertz_slip;
 pub use inverse::InverseSolution;
-pub use non_hertzian::{NonHertzian, NonHertzianAutomatic, NonHertzianSolved, TangentialWarmStart};
+pub use non_hertzian::{NonHertzian, NonHertzianSolved, TangentialWarmStart};
 pub use resolution::Resolution;
 pub use solution::ExactSolved;
 

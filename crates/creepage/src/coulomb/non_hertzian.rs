@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use super::automatic::{Resolutions, error_bars};
 use super::dissipation::{self, Unresolved};
 use super::extrapolation::{Extrapolation, error_bar, error_bar_of_one_area, extrapolate};
 use super::field_interpolation::{ElementField, FieldInterpolation};
@@ -15,7 +14,7 @@ use super::solution::{error_bars_and_elements, power_of, quarters};
 use super::workspace::{Pool, Workspace};
 use super::{Constraints, InverseError};
 use crate::added_slip::AddedSlip;
-use crate::check::{self, InvalidValue};
+use crate::check::InvalidValue;
 use crate::contact::Contact;
 use crate::friction_law::RollingFriction;
 use crate::layer::Layer;
@@ -488,60 +487,6 @@ impl Theory for NonHertzian {
         constraints: Constraints,
     ) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
         Some(self.find(constraints).map(|found| -> Box<dyn Solved> { Box::new(found) }))
-    }
-}
-
-/// The full theory on areas of any shape at the first of the three named resolutions whose error bars of
-/// `fx` and `fy` are within an accuracy; each is prepared when a case first needs it.
-#[derive(Debug, Clone)]
-pub struct NonHertzianAutomatic {
-    contact: Contact,
-    resolutions: Resolutions<NonHertzian>,
-}
-
-impl NonHertzianAutomatic {
-    /// Prepares for areas of any shape and the accuracy of `fx` and `fy`, in parts of `mu N`.
-    ///
-    /// # Errors
-    /// [`InvalidValue`] as [`NonHertzian::on`], and unless `accuracy` is finite and positive.
-    pub fn on(contact: &Contact, accuracy: f64) -> Result<Self, InvalidValue> {
-        check::positive("accuracy", accuracy)?;
-        let fast = NonHertzian::on(contact, Resolution::FAST)?;
-        Ok(Self { contact: contact.clone(), resolutions: Resolutions::new(accuracy, fast) })
-    }
-
-    fn finer(&self, first: &NonHertzian, resolution: Resolution) -> NonHertzian {
-        // It was prepared for the same contact before.
-        NonHertzian::on(&self.contact, resolution).unwrap_or_else(|_| first.clone())
-    }
-}
-
-impl Theory for NonHertzianAutomatic {
-    fn contact(&self) -> &Contact {
-        &self.contact
-    }
-
-    fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
-        let first = self.resolutions.first();
-        let prepare = |resolution| self.finer(first, resolution);
-        Box::new(self.resolutions.answer(
-            prepare,
-            |theory| theory.solve(creepage),
-            |solved| solved.solution().error.unwrap_or_default(),
-        ))
-    }
-
-    fn solved_for(
-        &self,
-        constraints: Constraints,
-    ) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
-        let first = self.resolutions.first();
-        let found = self.resolutions.answer(
-            |resolution| self.finer(first, resolution),
-            |theory| theory.find(constraints),
-            |found| error_bars(found, |found| found),
-        );
-        Some(found.map(|found| -> Box<dyn Solved> { Box::new(found) }))
     }
 }
 

@@ -171,7 +171,7 @@ fn level<'a>(
 ) -> Result<PressedDepth, WheelsetError> {
     let position = image.track(Position { y, z, roll, yaw });
     let side: Side = image.side();
-    *near = solver.stand((side, position), Resolution::STANDARD, near)?;
+    *near = solver.press_at((side, position), Resolution::STANDARD, near)?;
     Ok(PressedDepth::of(image, z, near))
 }
 

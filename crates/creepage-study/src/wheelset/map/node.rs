@@ -74,7 +74,7 @@ impl Place<'_> {
     ) -> Result<Option<Vec<[f64; 4]>>, MapBuildError> {
         let Self { y, roll, .. } = *self;
         let position = self.image.track(Position { y, z: height, roll, yaw: 0.0 });
-        let pressed = solver.stand((self.image.side(), position), self.solids, &Vec::new())?;
+        let pressed = solver.press_at((self.image.side(), position), self.solids, &Vec::new())?;
         let (sense, vertical) = (self.image.sense(), vertical(&pressed));
         let mut all: Vec<[f64; 4]> = pressed
             .iter()
@@ -103,7 +103,7 @@ impl Place<'_> {
         for _ in 0..ROUNDS {
             let Self { y, roll, .. } = *self;
             let position = self.image.track(Position { y, z: rest + depth, roll, yaw: 0.0 });
-            pressed = solver.stand((self.image.side(), position), self.solids, &pressed)?;
+            pressed = solver.press_at((self.image.side(), position), self.solids, &pressed)?;
             let found = vertical(&pressed);
             if (found / load - 1.0).abs() < LOAD_TOLERANCE {
                 break;

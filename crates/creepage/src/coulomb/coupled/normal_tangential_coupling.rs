@@ -1,7 +1,7 @@
 //! Influence of pressure on slip and of tangential traction on normal displacement, for
 //! elements of unlike bodies.
 //!
-//! With the plane normal_influence of an element at a point `(x, y)`,
+//! With the plane influence of an element at a point `(x, y)`,
 //!
 //! ```math
 //! S = \iint \frac{(x' - x, \, y' - y)}{R^2} \, dx' dy' = \oint n \ln R \, ds,

@@ -1,4 +1,4 @@
-//! The peak pressure of the coupled solution: a pressure_peak at the stick boundary that polynomials cut off.
+//! The peak pressure of the coupled solution: a peak at the stick boundary that polynomials cut off.
 //!
 //! Along a strip let `x = cos t`. Behind the border at `t_0` the traction is that of sliding, ahead of
 //! it less by `C sqrt(t_0 - t)`. In waves short against the strip the normal problem is plane: the
@@ -36,7 +36,7 @@ pub(super) struct PressurePeak {
     pub lacking: f64,
 }
 
-/// The pressure_peak of a grid; `q` with the sign of the pressure's part in the slip.
+/// The pressure peak of a grid; `q` with the sign of the pressure's part in the slip.
 pub(super) fn pressure_peak(settled: &CoupledState, q: f64) -> PressurePeak {
     let strips = settled.grid.mesh.strips.iter().enumerate();
     let lines = strips.flat_map(|(index, strip)| {

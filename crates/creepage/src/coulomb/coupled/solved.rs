@@ -163,7 +163,7 @@ impl<'a> CoupledSolved<'a> {
         MIN_PEAK_ERROR + 0.5 * (pressure_peak.lacking + apart)
     }
 
-    /// The finer grid's pressure_peak at the border of adhesion, and its peak by the strips' polynomials alone.
+    /// The finer grid's pressure peak at the border of adhesion, and its peak by the strips' polynomials alone.
     fn pressure_peak(&self) -> Option<(PressurePeak, f64)> {
         let q = self.mirror.x * self.theory.coupling.q;
         self.settled.as_ref().map(|[_, fine]| (pressure_peak(fine, q), fine.shape.peak()))
