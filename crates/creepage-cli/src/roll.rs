@@ -33,6 +33,9 @@ pub(crate) fn run(args: &RollArgs) -> Result<Outcome, Failure> {
     let sources = Sources::new([&args.case, &args.history]).with(&file.sources(directory));
     let history = History::read(texts[1].as_bytes(), &case).map_err(wrong(&args.history))?;
     let mut run = HistoryRun::new(&case, &history).map_err(wrong(&args.case))?;
+    for note in file.notes() {
+        say(&format!("note: {note}"));
+    }
     for caution in &case.cautions {
         say(&format!("caution: {caution}"));
     }

@@ -136,7 +136,7 @@ fn statics_in_other_units_has_cautions() {
         |words: &str| format!("{SOFT_BALLS}[statics]\n{words}\n").replace("friction = 0.3", "");
     for words in [
         &format!("{SOFT_BALLS}[statics]\nproblem = \"partial-slip\"\nforce_x = 50\n"),
-        &problem("problem = \"shift\"\nforce_x = 1e3"),
+        &problem("problem = \"shift\"\nforce_x = 1e2"),
         &problem("problem = \"twist\"\nmoment = 1"),
     ] {
         let found = caution(words);

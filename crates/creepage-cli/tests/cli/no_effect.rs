@@ -58,8 +58,11 @@ fn histories_refuse_what_they_do_not_use() {
     let [gap, ellipse] = ["roll/crowned-roller.toml", "roll/wheel-pulls.toml"].map(example);
     roll(&(gap + moves), &["[motion]", "history"]);
     roll(&(ellipse.clone() + moves), &["[motion]", "history"]);
-    let line = example("roll/cylinders.toml") + "\n[solve]\nresolution = \"fine\"\n";
-    roll(&line, &["[solve] resolution", "50 elements"]);
+    let line = Place::new();
+    line.write("case.toml", example("roll/cylinders.toml") + "\n[solve]\nresolution = \"fine\"\n");
+    line.write("h.csv", example("roll/cylinders.csv"));
+    let told = line.run(&["roll", "case.toml", "--history", "h.csv"]).stderr;
+    assert!(told.contains("note: [solve] resolution has no effect"), "{told}");
     // 24 kN of friction on an arm of some 4 mm.
     let place = Place::new();
     place.write("case.toml", ellipse);
@@ -85,7 +88,7 @@ fn a_groove_is_solved_case_by_case() {
         .refused(&["surface = \"curved\"", "curves"]);
     place.write("points.csv", "longitudinal,longitudinal_force\n1e-3,1e3\n2e-3,2e3\n3e-3,2.4e3\n");
     place
-        .run(&["fit", "case.toml", "--data", "points.csv"])
+        .run(&["fit", "--case", "case.toml", "points.csv"])
         .refused(&["surface = \"curved\"", "fits"]);
     refused(
         &["solve"],

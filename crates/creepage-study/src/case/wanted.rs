@@ -71,7 +71,7 @@ impl WantedSection {
         if let (Some(first), Some(second)) = both {
             return Err(CaseError::Conflict { first: (SECTION, first), second: (SECTION, second) });
         }
-        let arm = ellipse.friction_arm() / ellipse.c();
+        let arm = ellipse.major() / ellipse.c();
         let units = [scaling.force, scaling.force, scaling.force * scaling.length];
         within(SI_NAMES, si, [units[0], units[1], units[2] * arm])?;
         within(NAMES, dimensionless, [1.0, 1.0, arm])?;
@@ -79,7 +79,8 @@ impl WantedSection {
     }
 }
 
-/// A force cannot exceed `mu N`, nor a moment that of sliding all around the middle.
+/// A force cannot exceed `mu N`, nor a moment that at the end of the larger semi-axis; how much less the moment can
+/// reach is for the theory to say.
 fn within(
     names: [&'static str; 3],
     values: [Option<f64>; 3],

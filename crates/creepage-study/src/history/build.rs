@@ -73,9 +73,6 @@ impl SmoothFile {
             (None, Some(_)) if matches!(method, Method::Variational(_)) => {
                 Err(HistoryError::NotOfVariational { what: "[contact] line_load" })
             }
-            (None, Some(_)) if self.solve.contains_key("resolution") => {
-                Err(HistoryError::ResolutionOfALine)
-            }
             (None, Some(load)) => self.line(load),
         }
     }

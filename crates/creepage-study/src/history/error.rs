@@ -140,9 +140,6 @@ pub enum HistoryError {
         /// Its name.
         column: &'static str,
     },
-    /// A number of elements for a line.
-    #[error("[solve] resolution: a line that rolls in steps has 50 elements; leave it out")]
-    ResolutionOfALine,
     /// A creepage of a line contact, which needs its length.
     #[error(
         "column {column} prescribes a creepage: a line contact needs [contact] length for that, by \

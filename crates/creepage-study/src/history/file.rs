@@ -208,6 +208,15 @@ impl RollFile {
         Self::read(&table.to_string())
     }
 
+    /// What it has that has no effect, in words.
+    #[must_use]
+    pub fn notes(&self) -> Vec<&'static str> {
+        let Bodies::Smooth(file) = &self.bodies else { return Vec::new() };
+        let is_idle = file.contact.line_load.is_some() && file.solve.contains_key("resolution");
+        let note = "[solve] resolution has no effect: a line that rolls in steps has 50 elements";
+        is_idle.then_some(note).into_iter().collect()
+    }
+
     /// The same with another start.
     #[must_use]
     pub fn with_start(self, start: RollStart) -> Self {
