@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use creepage::normal::{self, NormalContact};
-use creepage::{Creepage, SiCreepage, Status};
+use creepage::{Creepage, Status};
 use creepage_study::{
     AnyCase, AnyCaseFile, Caution, LineCase, LineFile, LineTheory, Sources, hertz_report,
     hertz_text, long_work, pressed_report, pressed_text,
@@ -133,7 +133,7 @@ pub(crate) fn hertz(args: &HertzArgs) -> Result<(), Failure> {
     let cautions = match read_any(&args.case)? {
         AnyCaseFile::Ellipse(file) => {
             let contact = file.hertz().map_err(wrong)?;
-            let cautions = Caution::units(&contact, file.smallest_radius(), SiCreepage::default());
+            let cautions = Caution::of_hertz(&contact, file.smallest_radius());
             let report = hertz_report(&contact, &cautions);
             print(&if args.json { to_json(&report)? } else { hertz_text(&contact, &cautions) })?;
             cautions

@@ -54,6 +54,8 @@ fn points(args: &StressesArgs) -> Result<Option<Vec<[f64; 3]>>, Failure> {
 
 fn prepare(args: &StressesArgs) -> Result<Stresses, Failure> {
     let case = read_any_case(&args.case)?;
+    case.lies_in_a_plane("stresses")
+        .map_err(|source| Failure::Gap { path: args.case.clone(), source: Box::new(source) })?;
     let [upper, lower] = case.solids();
     let theories = theories(args.theory.as_slice(), &case)?;
     let solved = case

@@ -4,8 +4,8 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
+use creepage::Creepage;
 use creepage::subsurface::{Body, Inside};
-use creepage::{Creepage, SiCreepage};
 use creepage_study::{
     AnyCaseFile, Case, CaseFile, Caution, Damage, Fit, FitOptions, Given, MeasuredPoints, Quantity,
     Report, Sources, Stresses, hertz_report, solve,
@@ -57,7 +57,7 @@ pub(crate) fn quantities(report: &Report) -> Vec<QuantityTuple> {
 pub(crate) fn hertz(py: Python, text: &str) -> PyResult<String> {
     let file = CaseFile::read(text).map_err(|error| errors::case(py, error))?;
     let contact = file.hertz().map_err(|error| errors::case(py, error))?;
-    let cautions = Caution::units(&contact, file.smallest_radius(), SiCreepage::default());
+    let cautions = Caution::of_hertz(&contact, file.smallest_radius());
     json(&hertz_report(&contact, &cautions))
 }
 

@@ -50,11 +50,12 @@ pub enum ProfileError {
         /// `y` of its end (m).
         to: f64,
     },
-    /// The smoothing wavelength, or its weight, must be positive and finite.
+    /// The smoothing wavelength must be positive and at most 0.1 m, its weight positive and finite.
     #[error(
-        "smoothing {} = {value} {}: must be positive and finite",
+        "smoothing {} = {value} {}: must be {}",
         if *is_weight { "weight" } else { "wavelength" },
-        if *is_weight { "m3" } else { "m" }
+        if *is_weight { "m3" } else { "m" },
+        if *is_weight { "positive and finite" } else { "positive, at most 0.1 m" }
     )]
     Smoothing {
         /// What was given (m, of a weight m3).
@@ -134,7 +135,8 @@ impl Profile {
             Smoothing::Wavelength(wavelength) => (wavelength, false),
             Smoothing::Weight(weight) => (weight, true),
         };
-        if !(value > 0.0 && value.is_finite()) {
+        // A longer wave is that of no profile.
+        if !(value > 0.0 && value.is_finite() && (is_weight || value <= 0.1)) {
             return Err(ProfileError::Smoothing { value, is_weight });
         }
         Ok(Self::new(role, curve::smooth(points, corners, smoothing)?)?.between_points())

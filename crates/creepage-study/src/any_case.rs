@@ -138,7 +138,8 @@ impl AnyCase {
                 let of_areas = areas.flat_map(|areas| {
                     Caution::of_areas(areas).chain(Caution::large_areas(&case.gap, areas))
                 });
-                let spin = Caution::large_spin(si.spin, contact.scaling().length);
+                let spin = contact.areas();
+                let spin = spin.and_then(|areas| Caution::large_spin_of_areas(si.spin, areas));
                 of_areas.chain(Caution::large_creepage(si)).chain(spin).collect()
             }
         }

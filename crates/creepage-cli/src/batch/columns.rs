@@ -137,6 +137,10 @@ pub(super) fn tell_of_file(header: &ByteRecord, keys: &[&str]) {
     }
 }
 
+/// Keys and quantities that rows of a case cannot have.
+const OF_FILE: [&str; 8] =
+    ["xi", "eta", "chi", "angle", "moment", "longitudinal_force", "lateral_force", "shear_modulus"];
+
 /// The names of all columns.
 pub(super) fn names(header: &ByteRecord) -> String {
     let names = header.iter().map(|name| String::from_utf8_lossy(name.trim_ascii()));
@@ -165,6 +169,7 @@ impl CaseColumns {
             return Err(ColumnError::NothingVaries { found: names(header) });
         }
         tell_misspelt(header, &Varied::ALL.map(Varied::name));
+        tell_of_file(header, &OF_FILE);
         let case =
             BulkCase::new(file, varied).map_err(|error| ColumnError::Case(Box::new(error)))?;
         Ok(Self { case, places, count: header.len() })

@@ -24,8 +24,20 @@ use crate::wheelset::{read, say_found, say_left_out};
 const FRICTION: &str = "friction";
 const PLACE: [&str; 2] = ["s", "pitch"];
 /// Keys that rows cannot have.
-const OF_FILE: [&str; 6] =
-    ["curvature", "curve_radius", "superelevation", "gauge", "wheel_load_left", "wheel_load_right"];
+const OF_FILE: [&str; 12] = [
+    "curvature",
+    "curve_radius",
+    "superelevation",
+    "gauge",
+    "wheel_load",
+    "wheel_load_left",
+    "wheel_load_right",
+    "torque",
+    "longitudinal_force",
+    "longitudinal",
+    "lateral",
+    "spin",
+];
 /// Where [`ASKED`] has the load on both wheels.
 const AXLE_LOAD: usize = 4;
 

@@ -137,7 +137,7 @@ fn statics_in_other_units_has_cautions() {
     for words in [
         &format!("{SOFT_BALLS}[statics]\nproblem = \"partial-slip\"\nforce_x = 50\n"),
         &problem("problem = \"shift\"\nforce_x = 1e2"),
-        &problem("problem = \"twist\"\nmoment = 1"),
+        &problem("problem = \"twist\"\nmoment = 0.1"),
     ] {
         let found = caution(words);
         assert!(found.contains("of the smallest radius, 0.006 m: check the units"), "{found}");

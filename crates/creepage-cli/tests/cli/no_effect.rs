@@ -128,3 +128,44 @@ fn numbers_that_would_be_silent_are_refused_or_told() {
     let guard = example("wheelset/guard-rail.toml");
     assert!(said(&["conicity"], &guard).contains("the guard rail is left out"));
 }
+
+/// What a fresh user met: a law of friction lost to a column, heavy rows, forces and moments that nothing gives together.
+#[test]
+fn what_rows_ask_is_told() {
+    let place = Place::new();
+    place.write("law.toml", example("wheel-falling-friction.toml"));
+    let rows = "longitudinal,friction\n-1e-3,0.3\n";
+    place
+        .run_on(&["batch", "--case", "law.toml"], rows)
+        .refused(&["friction is a law", "leave out the column"]);
+    place.write("case.toml", fastsim());
+    let said = place.run_on(&["batch", "--case", "case.toml"], "longitudinal,xi\n-1e-3,2\n").stderr;
+    assert!(said.contains("column `xi` is not used"), "{said}");
+    place.write("heavy.toml", fastsim().replace("80e3", "80e6"));
+    let said = place.run(&["hertz", "heavy.toml"]).stderr;
+    assert!(said.contains("times the shear yield stress"), "{said}");
+    let pulls = example("roll/wheel-pulls.toml").replace("[start]", "#").replace("traction", "#");
+    let pulls = pulls.replace("longitudinal_force", "#");
+    place.write("pulls.toml", &pulls);
+    let roll = |table: &str| place.run_on(&["roll", "pulls.toml", "--history", "-"], table);
+    let said = roll("distance,longitudinal,normal_force\n0.002,-1e-3,2000e3\n").stderr;
+    assert!(said.contains("row 1") && said.contains("shear yield stress"), "{said}");
+    let ran = roll("distance,longitudinal_force,moment\n0.002,-20e3,50\n0.005,-20e3,50\n");
+    assert!(ran.code == Some(3) && ran.stderr.contains("did not converge"), "{ran:?}");
+}
+
+#[test]
+fn fatigue_needs_its_stresses() {
+    let wear = example("wheel-wear.toml");
+    let with = |line: &str| wear.replace("[damage]", &format!("[damage]\n{line}"));
+    refused(&["solve"], &with("dang_van = { limit = 100e6 }"), &["dang_van.limit", "shakedown"]);
+    let small = with("shakedown = true\ndang_van = { limit = 200 }");
+    refused(&["solve"], &small, &["dang_van.limit", "at least 1e6 Pa"]);
+    let die =
+        example("statics/die-offset-load.toml").replace("[contact]", "[contact]\nfriction = 0");
+    let place = Place::new();
+    place.write("die.toml", die);
+    place.run(&["statics", "die.toml"]).done();
+    place.write("clay.toml", example("statics/clay-sheared.toml"));
+    assert!(!place.run(&["statics", "clay.toml"]).stderr.contains("caution"));
+}

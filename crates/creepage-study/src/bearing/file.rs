@@ -255,8 +255,7 @@ impl SolveSection {
     fn theory(self) -> Result<BearingTheory, CaseError> {
         if let (Some(_), TheoryName::Fastsim | TheoryName::Sliding) = (self.resolution, self.theory)
         {
-            let [first, second] = ["resolution", "theory"].map(|key| ("solve", key));
-            return Err(CaseError::Conflict { first, second });
+            return Err(CaseError::ResolutionOfExact);
         }
         Ok(match self.theory {
             TheoryName::Exact => BearingTheory::Exact(match self.resolution {

@@ -62,6 +62,7 @@ impl BearingReport {
         if let Some((.., found)) = worst {
             all.extend(Caution::yields(peak(found), found.hertz.pair().shear_modulus(), None));
         }
+        all.extend(Caution::large_friction(self.case.bearing.friction));
         // From one end of the ellipse to the other the surface turns.
         let turn = |(_, race, found): (&SolvedBall, usize, &SolvedRace)| {
             2.0 * (found.hertz.ellipse().b() / self.case.bearing.conforming_radius(race))

@@ -75,6 +75,9 @@ impl BulkCase {
         if file.has_slip() {
             return Err(CaseError::SlipOfRows);
         }
+        if file.friction_varies() && varied.contains(&Varied::Friction) {
+            return Err(CaseError::FrictionOfRows);
+        }
         let (mut base, theory) = (file.sections(), file.theory()?);
         Varied::make_room(&varied, &mut base);
         let bodies = bodies(&base, &varied);

@@ -118,6 +118,15 @@ pub enum CaseError {
         "[contact] slip is for one case at a time: leave it out for rows of many, or solve each file"
     )]
     SlipOfRows,
+    /// A number of elements for a theory of bearings that has none.
+    #[error("[solve] resolution is an option of theory = \"exact\": leave it out")]
+    ResolutionOfExact,
+    /// A friction of its own in each row beside one that varies in the file.
+    #[error(
+        "[contact] friction is a law, or varies, and the rows have a friction of their own: leave out the column, or give \
+         a number in the file"
+    )]
+    FrictionOfRows,
     /// A rigid slip from place to place where numbers follow from creepage and spin alone.
     #[error(
         "[contact] slip with [{section}]: {section} is computed by creepage and spin alone; leave out one of the two"

@@ -276,6 +276,11 @@ impl CaseFile {
         self.contact.slip.is_some()
     }
 
+    /// Whether friction is a law, or differs from place to place.
+    pub(crate) fn friction_varies(&self) -> bool {
+        self.contact.friction.as_ref().is_some_and(super::friction::FrictionValue::varies)
+    }
+
     /// Whether temperatures are wanted.
     #[must_use]
     pub fn has_heat(&self) -> bool {

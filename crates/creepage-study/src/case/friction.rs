@@ -129,6 +129,15 @@ impl FrictionValue {
         }
     }
 
+    /// Whether it is a law, or differs from place to place or with the temperature.
+    pub(crate) fn varies(&self) -> bool {
+        match self {
+            Self::Constant(_) => false,
+            Self::Law(table) => table.law != LawName::Constant,
+            Self::Across(_) | Self::Temperature(_) => true,
+        }
+    }
+
     /// How friction varies, where it is not constant.
     pub(crate) fn rolling(
         &self,

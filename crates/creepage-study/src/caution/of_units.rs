@@ -38,7 +38,7 @@ impl Caution {
             .chain(pressure)
             .chain(large.map(|radius| Self::LargeRadius { radius }))
             .chain(Self::large_creepage(creepage))
-            .chain(Self::large_spin(creepage.spin, hertz.ellipse().c()))
+            .chain(Self::large_spin(creepage.spin, hertz.ellipse().major()))
             .collect()
     }
 
@@ -54,7 +54,8 @@ impl Caution {
     }
 
     /// What an ellipse is in doubt for, whatever it does: units, a metal that yields.
-    pub(crate) fn of_hertz(hertz: &Hertz, smallest_radius: Option<f64>) -> Vec<Self> {
+    #[must_use]
+    pub fn of_hertz(hertz: &Hertz, smallest_radius: Option<f64>) -> Vec<Self> {
         let mut cautions = Self::units(hertz, smallest_radius, SiCreepage::default());
         if cautions.is_empty() {
             let (peak, pair) = (hertz.peak_pressure(), hertz.pair());
@@ -112,7 +113,14 @@ impl Caution {
         large.map(|(component, value)| Self::LargeCreepage { component, value })
     }
 
-    /// A spin (rad/m) that slips at the side of a contact of half-width `length` (m) as fast as no body rolls: those of
+    /// The same on areas: as far from the origin as they reach.
+    pub(crate) fn large_spin_of_areas(spin: f64, areas: &NormalContact) -> Option<Self> {
+        let extents = areas.patches().iter().map(Patch::extent);
+        let ends = extents.flat_map(|extent| [extent.x, extent.y]).flatten();
+        Self::large_spin(spin, ends.map(f64::abs).fold(0.0, f64::max))
+    }
+
+    /// A spin (rad/m) that slips at the farthest side of a contact, `length` (m) from its middle, as fast as no body rolls: those of
     /// bodies that roll are the sine of an angle over their radius.
     pub(crate) fn large_spin(spin: f64, length: f64) -> Option<Self> {
         let slip = spin.abs() * length;

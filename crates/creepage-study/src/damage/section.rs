@@ -75,6 +75,14 @@ impl DamageSection {
             ("density", density, density >= 10.0, "at least 10 kg/m3"),
             ("archard.hardness", archard.hardness, archard.hardness >= 1e6, "at least 1e6 Pa"),
             ("shear_yield", shear_yield, shear_yield <= 2e10, "positive, at most 2e10 Pa"),
+            ("dang_van.limit", dang_van.limit, dang_van.limit >= 1e6, "at least 1e6 Pa"),
+            ("ekberg.limit", ekberg.limit, ekberg.limit >= 1e6, "at least 1e6 Pa"),
+            (
+                "dang_van.limit",
+                dang_van.limit,
+                self.shakedown || dang_van == DangVan::default(),
+                "left out unless shakedown = true, which computes the stresses that it takes",
+            ),
         ];
         let diameter = self.wheel_diameter.map(|value| {
             ("wheel_diameter", value, value > 0.0 && value <= 10.0, "positive, at most 10 m")

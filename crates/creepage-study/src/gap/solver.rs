@@ -203,9 +203,9 @@ impl GapCase {
                 let mut cautions = Caution::all(&self.theory, contact, solution);
                 let si = scaling.si_creepage(creepage);
                 cautions.extend(Caution::large_creepage(si));
-                cautions.extend(Caution::large_spin(si.spin, scaling.length));
                 let shear_yield = self.damage.as_ref().map(|damage| damage.constants.shear_yield);
                 if let Some(areas) = contact.areas() {
+                    cautions.extend(Caution::large_spin_of_areas(si.spin, areas));
                     cautions.extend(Caution::large_areas(&self.gap, areas));
                     cautions.extend(self.roller.and_then(|roller| roller.caution(areas)));
                     let (peak, pair) = (areas.peak_pressure().value, areas.pair());

@@ -144,7 +144,9 @@ impl SmoothFile {
         let smallest = smallest_radius([&self.upper, &self.lower]);
         cautions.extend(Caution::of_hertz(&hertz, smallest));
         let (scaling, kind) = (contact.scaling(), Kind::Ellipse { contact, method });
-        Ok(RollCase { scaling, load: normal_force, friction, cautions, kind, start: Start::None })
+        let stresses = [hertz.peak_pressure(), hertz.pair().shear_modulus()];
+        let (load, start) = (normal_force, Start::None);
+        Ok(RollCase { scaling, load, friction, cautions, stresses, kind, start })
     }
 
     fn line(&self, load: f64) -> Result<RollCase, HistoryError> {
@@ -198,7 +200,7 @@ impl SmoothFile {
         cautions.extend(Caution::like_bodies(pair.kappa() / friction));
         cautions.extend(layer.and_then(|layer| Caution::thick_beside(layer, line.half_width())));
         let kind = Kind::Line { length, poisson, friction: law, layer };
-        Ok(RollCase { scaling, load, friction, cautions, kind, start: Start::None })
+        Ok(RollCase { scaling, load, friction, cautions, stresses, kind, start: Start::None })
     }
 }
 
@@ -246,8 +248,10 @@ fn on_areas(case: &GapCase) -> Result<RollCase, HistoryError> {
     let (friction, layer) = (case.rolling_friction, case.layer);
     let cautions = of_areas(case, &contact)?;
     let slip = case.slip.clone();
+    let stresses = [contact.peak_pressure().value, contact.pair().shear_modulus()];
+    let (friction_at_rest, start) = (case.friction, Start::None);
     let kind = Kind::Areas { contact, resolution, friction, layer, slip };
-    Ok(RollCase { scaling, load, friction: case.friction, cautions, kind, start: Start::None })
+    Ok(RollCase { scaling, load, friction: friction_at_rest, cautions, stresses, kind, start })
 }
 
 /// What areas of any shape are in doubt for, whatever they do.

@@ -25,15 +25,36 @@ pub struct RollCase {
     pub friction: f64,
     /// What its contact is in doubt for, whatever it does.
     pub cautions: Vec<Caution>,
+    /// Peak pressure at that load, and the combined shear modulus (Pa).
+    pub(super) stresses: [f64; 2],
     pub(super) kind: Kind,
     pub(super) start: Start,
 }
 
 impl RollCase {
+    /// What the pressure under `load`, over the nominal one and larger, is in doubt for: it grows as the cube root on an
+    /// ellipse; a line's and an area's load is not varied.
+    #[must_use]
+    pub fn caution_of_load(&self, load: f64) -> Option<Caution> {
+        let [peak, modulus] = self.stresses;
+        let peak = peak * load.cbrt();
+        let is_heavy = load > 1.0 && matches!(self.kind, Kind::Ellipse { .. });
+        let high = || Caution::moduli(peak, modulus).next();
+        is_heavy.then(|| high().or_else(|| Caution::yields(peak, modulus, None))).flatten()
+    }
+
     /// What a motion is in doubt for that no rolling body has: it may be in per cent or in degrees.
     #[must_use]
     pub fn caution_of_motion(&self, creepage: SiCreepage) -> Option<Caution> {
-        let spin = Caution::large_spin(creepage.spin, self.scaling.length);
+        let spin = match &self.kind {
+            Kind::Ellipse { contact, .. } => {
+                let ellipse = contact.ellipse();
+                let half = self.scaling.length * ellipse.major() / ellipse.c();
+                Caution::large_spin(creepage.spin, half)
+            }
+            Kind::Line { .. } => None,
+            Kind::Areas { contact, .. } => Caution::large_spin_of_areas(creepage.spin, contact),
+        };
         Caution::large_creepage(creepage).chain(spin).next()
     }
 }

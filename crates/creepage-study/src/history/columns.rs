@@ -107,7 +107,8 @@ impl History {
 }
 
 impl History {
-    /// The first row, from one, with a creepage that no wheel has: it may be in per cent or in degrees.
+    /// The first row, from one, with a creepage that no wheel has, which may be in per cent or in degrees, or a load under
+    /// which a metal flows.
     #[must_use]
     pub fn caution(&self, case: &RollCase) -> Option<(usize, Caution)> {
         let si = |component: Prescribed| match component {
@@ -118,7 +119,8 @@ impl History {
             let Motion { longitudinal, lateral, spin } = row.motion.motion;
             let [longitudinal, lateral, slip] = [longitudinal, lateral, spin].map(si);
             let si = SiCreepage { longitudinal, lateral, spin: slip / case.scaling.length };
-            Some((index + 1, case.caution_of_motion(si)?))
+            let heavy = || case.caution_of_load(row.motion.load);
+            Some((index + 1, case.caution_of_motion(si).or_else(heavy)?))
         })
     }
 }

@@ -96,6 +96,7 @@ impl LineCase {
         if solved.status != Status::Solved {
             cautions.push(Caution::Status(solved.status));
         }
+        cautions.extend(Caution::large_friction(self.friction));
         let kappa_over_mu = self.kappa_over_mu();
         if self.theory == LineTheory::Carter && kappa_over_mu.abs() >= UNLIKE {
             cautions.push(Caution::dissimilar_on_line(kappa_over_mu));

@@ -146,6 +146,15 @@ pub enum WheelsetFileError {
         /// The profile's name.
         profile: String,
     },
+    /// A superelevation where the loads do not follow from it.
+    #[error(
+        "[track] superelevation shares a vehicle's weight between its wheels, by [wheelset] mass and centre_height: {key} \
+         gives the load already; leave out one of them"
+    )]
+    SuperelevationOfLoad {
+        /// The key of the load.
+        key: &'static str,
+    },
     /// What is read of a file, for points.
     #[error(
         "[{section}] reading.{key} is for profiles of files: points are in metres, y to the field side, z down, and \

@@ -95,8 +95,7 @@ impl WheelsetSection {
             (None, None) if track.superelevation.is_none() => return Ok(None),
             (None, None) => {
                 let Some(load) = self.load()? else { return Err(missing("mass").into()) };
-                let (first, second) = (("track", "superelevation"), (WHEELSET, load.key()));
-                return Err(CaseError::Conflict { first, second }.into());
+                return Err(WheelsetFileError::SuperelevationOfLoad { key: load.key() });
             }
             (None, _) => return Err(missing("mass").into()),
             (_, None) => return Err(missing("centre_height").into()),

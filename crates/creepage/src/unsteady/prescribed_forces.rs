@@ -22,6 +22,8 @@ const DIFFERENCE: f64 = 1e-3;
 /// A step that leaves less than this part of the residual corrects the slope (Broyden); after any other the slope is
 /// computed again.
 const NEARER: f64 = 0.3;
+/// Creepage, dimensionless, beyond which all slides and no force changes: one that is looked for there is not reached.
+const FARTHEST: f64 = 1e6;
 /// Newton steps by differences, and halvings of each.
 const MAX_DIFFERENCE_STEPS: usize = 40;
 const MAX_HALVINGS: usize = 40;
@@ -71,6 +73,9 @@ impl TransientLevel {
                 continue;
             };
             converged = next;
+            if self.creep.iter().any(|creep| creep.abs() > FARTHEST) {
+                return false;
+            }
             let left = self.residual(&unknown, prescribed);
             if left.norm() < NEARER * residual.norm() {
                 let of_unknown = |k: &usize| self.creep[*k] - before[*k];
@@ -96,6 +101,9 @@ impl TransientLevel {
                 return self.outcome.converged;
             }
             let here = self.creep[unknown];
+            if here.abs() > FARTHEST {
+                return false;
+            }
             range[usize::from(residual[0] < 0.0)] = here;
             let secant = last
                 .filter(|[_, left]| residual[0].abs() < NEARER * left.abs())
