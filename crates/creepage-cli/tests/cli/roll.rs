@@ -468,7 +468,7 @@ fn doubts_about_the_contact_are_said() {
     ] {
         assert!(said(&case).contains(word), "{word}: {}", said(&case));
     }
-    let line = line.replace("resolution = \"fast\"", "");
+    let line = line.replace("resolution = [8, 8]\n", "");
     for case in [case(), line, layer(5e-4)] {
         assert_eq!(said(&case), "");
     }
