@@ -73,7 +73,7 @@ class WheelResult(Comparable):
 class WheelsetResult:
     """A position of a wheelset, solved; the `start` of one nearby.
 
-    A copy through pickle has all its numbers. As a `start` such a copy says nothing, and the solver begins from
+    A copy through pickle has all its numbers. As a `start` it is passed over: the solver begins from
     nothing.
     """
 
