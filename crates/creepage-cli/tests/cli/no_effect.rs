@@ -1,18 +1,6 @@
 //! Keys that would have no effect are refused by their name, and numbers that would be silent in another unit are told.
 
-use std::fs;
-use std::path::Path;
-
-use crate::place::{CASE, Place};
-
-fn example(name: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
-    fs::read_to_string(path).unwrap()
-}
-
-fn fastsim() -> String {
-    CASE.replace("theory = \"variational\"\ndegree = 3", "theory = \"fastsim\"")
-}
+use crate::place::{Place, example, fastsim};
 
 /// Writes a text, runs a command on it and expects that it is refused in these words.
 #[track_caller]

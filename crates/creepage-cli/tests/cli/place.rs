@@ -1,7 +1,7 @@
 //! Running the command in a directory of its own.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Output;
 
 use assert_cmd::Command;
@@ -34,6 +34,17 @@ spin = 0.2
 theory = "variational"
 degree = 3
 "#;
+
+/// The text of an example.
+pub(crate) fn example(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
+    fs::read_to_string(path).unwrap()
+}
+
+/// [`CASE`] by `fastsim`.
+pub(crate) fn fastsim() -> String {
+    CASE.replace("theory = \"variational\"\ndegree = 3", "theory = \"fastsim\"")
+}
 
 pub(crate) fn json(text: &str) -> Value {
     serde_json::from_str(text).unwrap()

@@ -1,18 +1,6 @@
 //! What users must be told by every door, or refused: cautions in all outputs, numbers in other units.
 
-use std::fs;
-use std::path::Path;
-
-use crate::place::{CASE, Place, json};
-
-fn example(name: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
-    fs::read_to_string(path).unwrap()
-}
-
-fn fastsim() -> String {
-    CASE.replace("theory = \"variational\"\ndegree = 3", "theory = \"fastsim\"")
-}
+use crate::place::{CASE, Place, example, fastsim, json};
 
 /// Linear theory has no slip: no depth is worn by it, where `fastsim` has one.
 #[test]
