@@ -4,7 +4,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
-use creepage::Creepage;
+use creepage::{Creepage, SiCreepage};
 use creepage::subsurface::{Body, Inside};
 use creepage_study::{
     AnyCaseFile, Case, CaseFile, Caution, Damage, Fit, FitOptions, Given, MeasuredPoints, Quantity,
@@ -57,7 +57,8 @@ pub(crate) fn quantities(report: &Report) -> Vec<QuantityTuple> {
 pub(crate) fn hertz(py: Python, text: &str) -> PyResult<String> {
     let file = CaseFile::read(text).map_err(|error| errors::case(py, error))?;
     let contact = file.hertz().map_err(|error| errors::case(py, error))?;
-    let cautions = Caution::of_hertz(&contact, file.smallest_radius());
+    let creepage = SiCreepage::default();
+    let cautions = Caution::units(&contact, file.smallest_radius(), creepage);
     json(&hertz_report(&contact, &cautions))
 }
 
