@@ -4,8 +4,8 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
-use creepage::{Creepage, SiCreepage};
 use creepage::subsurface::{Body, Inside};
+use creepage::{Creepage, SiCreepage};
 use creepage_study::{
     AnyCaseFile, Case, CaseFile, Caution, Damage, Fit, FitOptions, Given, MeasuredPoints, Quantity,
     Report, Sources, Stresses, hertz_report, solve,
