@@ -54,7 +54,8 @@ def test_a_solver_and_its_results_go_through_pickle(wheelset: creepage.Wheelset)
     assert copy.solve(y=0.003, derivatives=True) == one
     again = pickle.loads(pickle.dumps(one))
     assert again == one and again.left == one.left and again != solver.solve(y=0.003)
-    assert again.derivatives.tolist() == one.derivatives.tolist()
+    # By what is found and not given they are NaN.
+    assert one.derivatives is not None and np.array_equal(again.derivatives, one.derivatives, equal_nan=True)
     # As a start it says nothing: the bits are those from nothing.
     assert solver.solve(y=0.00305, start=again) == solver.solve(y=0.00305)
 
