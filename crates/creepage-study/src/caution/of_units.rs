@@ -120,8 +120,8 @@ impl Caution {
         Self::large_spin(spin, ends.map(f64::abs).fold(0.0, f64::max))
     }
 
-    /// A spin (rad/m) that slips at the farthest side of a contact, `length` (m) from its middle, as fast as no body rolls: those of
-    /// bodies that roll are the sine of an angle over their radius.
+    /// A spin (rad/m) that slips at the farthest side of a contact, `length` (m) from its middle, as fast as no body
+    /// rolls: those of bodies that roll are the sine of an angle over their radius.
     pub(crate) fn large_spin(spin: f64, length: f64) -> Option<Self> {
         let slip = spin.abs() * length;
         (slip > Self::LARGE).then_some(Self::LargeSpin { spin, slip })

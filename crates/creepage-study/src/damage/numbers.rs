@@ -68,7 +68,8 @@ pub struct Damage {
     pub shakedown_load_factor: Option<f64>,
     /// Where that is governed: `y` and depth (m).
     pub shakedown_place_m: Option<[f64; 2]>,
-    /// Dang Van's largest equivalent stress over a passage (Pa), in the lower body as deep as the contact is wide.
+    /// Dang Van's largest equivalent stress over a passage (Pa), in the lower body to the depth of the contact's
+    /// smaller half-width.
     pub dang_van_stress_pa: Option<f64>,
     /// The same over its limit: fatigue is predicted above 1.
     pub dang_van_over_limit: Option<f64>,

@@ -73,7 +73,7 @@ impl TransientLevel {
                 continue;
             };
             converged = next;
-            if self.creep.iter().any(|creep| creep.abs() > FARTHEST) {
+            if unknown.iter().any(|k| self.creep[*k].abs() > FARTHEST) {
                 return false;
             }
             let left = self.residual(&unknown, prescribed);
